@@ -70,9 +70,10 @@ struct StrengthNumbers {
 /// Checks that the numbers of a strength go together; does nothing where the friction angle is missing.
 void check_strength(const CheckContext& context, const Entry& entry, const StrengthNumbers& strength);
 
-/// Reports keys that are missing, and those that do not belong to what was chosen.
+/// Reports keys that are missing, and those that do not belong to what was chosen, with the help for these.
 void check_keys(const CheckContext& context, const Entry& entry, const std::string& chosen,
-                const std::vector<std::string_view>& needed, const std::vector<std::string_view>& foreign);
+                const std::vector<std::string_view>& needed, const std::vector<std::string_view>& foreign,
+                const std::string& help = "remove it, or choose another kind");
 
 /// Reports names that stand twice in a list of tables, and names that cannot head a column.
 void check_unique_names(const CheckContext& context, std::string_view table, std::span<const std::string> names);

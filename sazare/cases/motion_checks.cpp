@@ -15,7 +15,8 @@
 namespace sazare::cases {
 
 void check_keys(const CheckContext& context, const Entry& entry, const std::string& chosen,
-                const std::vector<std::string_view>& needed, const std::vector<std::string_view>& foreign) {
+                const std::vector<std::string_view>& needed, const std::vector<std::string_view>& foreign,
+                const std::string& help) {
   if (!entry.exists()) return;
   for (const std::string_view key : needed)
     if (!entry.has(key))
@@ -23,9 +24,7 @@ void check_keys(const CheckContext& context, const Entry& entry, const std::stri
                              fmt::format("{} has no \"{}\", which {} needs", table_header(*entry.table), key, chosen),
                              how_to_add(*find_key(*entry.table, key)));
   for (const std::string_view key : foreign)
-    if (entry.has(key))
-      context.problems.error(*entry.value->key_place(key), fmt::format("{} is not for {}", key, chosen),
-                             "remove it, or choose another kind");
+    if (entry.has(key)) context.problems.error(*entry.value->key_place(key), fmt::format("{} is not for {}", key, chosen), help);
 }
 
 namespace {

@@ -52,7 +52,10 @@ Pores<D>::Pores(const geometry::ElementMesh& mesh, const std::vector<SolidMateri
     std::vector<Index> nodes(element.node_list().begin(), element.node_list().end());
     for (int corner = 0; corner < facts(element.shape).corners; ++corner) {
       const auto [found, is_new] = pressure_of.try_emplace(nodes[at(corner)], static_cast<Index>(node_.size()));
-      if (is_new) node_.push_back(nodes[at(corner)]);
+      if (is_new) {
+        node_.push_back(nodes[at(corner)]);
+        at_rest_.push_back(saturation->pore_water.pressure(mesh.nodes[at(nodes[at(corner)])]));
+      }
       nodes.push_back(pressure_node(at(found->second)));
     }
     groups_.add(nodes);

@@ -46,6 +46,8 @@ public:
   Index pressure_node(std::size_t pressure) const { return static_cast<Index>(mesh_->nodes.size() + pressure); }
   /// The node of the mesh at a pressure node.
   Index node_of(std::size_t pressure) const { return node_[pressure]; }
+  /// Pressure of the water at rest at a pressure node [Pa].
+  Real pressure_at_rest(std::size_t pressure) const { return at_rest_[pressure]; }
   /// Whether the excess pressure is 0 there: at or above the water table, or beside saturated ground that is drained.
   bool is_drained(std::size_t pressure) const { return drained_[pressure] != 0; }
 
@@ -79,6 +81,7 @@ private:
   const std::vector<Index>* material_;
   std::vector<Index> element_;
   std::vector<Index> node_;     ///< by pressure
+  std::vector<Real> at_rest_;   ///< by pressure [Pa]
   std::vector<char> drained_;   ///< by pressure
   NodeGroups groups_;
 };

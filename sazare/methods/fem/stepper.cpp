@@ -159,6 +159,16 @@ void FemStepper<D>::walk(const Span& span, int cuts_left) {
   walk(span.second_half(), cuts_left - 1);
 }
 
+/// Whether a motion holds a place above the lowest ones along gravity.
+template <int D>
+bool FemStepper<D>::moves_what_settles() const {
+  const auto& nodes = body_->mesh().nodes;
+  return std::ranges::any_of(supports_.held, [&](const Support& support) {
+    const auto is_lower = [&](const Vector3& node) { return node[support.axis] < nodes[at(support.node)][support.axis]; };
+    return support.motion != Support::no_motion && supports_.gravity[support.axis] < 0 && std::ranges::any_of(nodes, is_lower);
+  });
+}
+
 template <int D>
 void FemStepper<D>::give_up(const Span& span) const {
   const std::string where = stage_ == Stage::relaxing
@@ -170,12 +180,17 @@ void FemStepper<D>::give_up(const Span& span) const {
         "{}: {}\n  a number of the case is too large or too small for what follows from it: check densities, stiffnesses, sizes, "
         "gravity and loads, and their units",
         where, last_failure_));
+  const std::string held = stage_ == Stage::relaxing && moves_what_settles()
+                               ? "\n  supports that a motion moves, such as a footing, stand still while the body settles, and "
+                                 "hold the ground beside them up: "
+                                 "let the ground settle below a load, or give it strength for its own weight"
+                               : "";
   throw PhysicsError(fmt::format(
       "{}: Newton's iteration does not converge\n"
       "  tried: {} iterations with line search in a step, and steps cut to 1/{} of that of the case; last: {}\n"
       "  a body that fails has no equilibrium under its loads: check its strength and loads, or include inertia (time.analysis = "
-      "\"dynamic\")",
-      where, rules_.most_iterations, 1 << rules_.most_cuts, last_failure_));
+      "\"dynamic\"){}",
+      where, rules_.most_iterations, 1 << rules_.most_cuts, last_failure_, held));
 }
 
 template <int D>

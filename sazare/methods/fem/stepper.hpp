@@ -209,6 +209,7 @@ private:
   void find_unknowns(bool at_rest);
   void hold_sides();
   void find_leaders();
+  bool moves_what_settles() const;
   [[noreturn]] void give_up(const Span& span) const;
 
   std::unique_ptr<methods::fem::Body<D>> body_;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <filesystem>
@@ -186,6 +187,86 @@ TEST(pore_water, is_told_of_a_drain_without_ground) {
   const SandCase sand("\n[[drains]]\ngroup = \"top\"\n");
   EXPECT_NE(sand.refused().find("the group \"top\" has no node of ground through which water flows"), std::string::npos)
       << sand.refused();
+}
+
+/// What check says of a case.
+std::string told(const SandCase& sand, const std::vector<std::string>& settings) {
+  return registry::check_case(sand.read(settings));
+}
+
+TEST(pore_water, drains_nothing_above_the_table) {
+  const SandCase sand("\n[[drains]]\ngroup = \"top\"\n");
+  const std::vector<std::string> above = {"materials.1.water_table=4", "materials.1.saturated_density=2000",
+                                          "materials.1.porosity=0.4", "materials.1.drainage=flow",
+                                          "materials.1.hydraulic_conductivity=1e-3"};
+  EXPECT_NE(sand.refused(above).find("has no node of ground through which water flows"), std::string::npos)
+      << sand.refused(above);
+}
+
+TEST(pore_water, is_told_of_a_table_that_no_ground_has_or_that_cuts_elements) {
+  const SandCase sand;
+  EXPECT_EQ(told(sand, {}).find("warning"), std::string::npos) << told(sand, {});
+  EXPECT_NE(told(sand, {"materials.0.water_table=-1"}).find("the water table at -1 m lies below all ground of \"sand\""),
+            std::string::npos);
+  EXPECT_NE(told(sand, {"materials.0.water_table=2.5"}).find("the water table cuts 1 element of \"sand\""), std::string::npos)
+      << told(sand, {"materials.0.water_table=2.5"});
+  EXPECT_EQ(told(sand, {"materials.0.water_table=3"}).find("warning"), std::string::npos);
+  EXPECT_NE(sand.refused({"materials.0.water_table=-1", "time.strict=true"}).find("lies below all ground"), std::string::npos);
+}
+
+TEST(pore_water, is_told_of_ground_too_tight_for_its_elements) {
+  const SandCase sand;
+  // sqrt(c t) with c = k/(w (1/M + n/K)): 5.65e-3 m2/s for 1e-6 m/s, 0.075 m in 1 s; elements are 1 m high.
+  EXPECT_NE(told(sand, {"materials.0.hydraulic_conductivity=1e-6"}).find("within the run water flows over 0.078 m of \"sand\""),
+            std::string::npos)
+      << told(sand, {"materials.0.hydraulic_conductivity=1e-6"});
+  EXPECT_NE(told(sand, {"materials.0.hydraulic_conductivity=1e-6"}).find("set drainage = \"undrained\""), std::string::npos);
+}
+
+TEST(pore_water, is_told_of_open_water_with_another_level_or_a_ramp) {
+  const SandCase sand("\n[[water_pressures]]\nname = \"sea\"\ngroup = \"top\"\nlevel = 8\n");
+  const std::vector<std::string> both = {
+      "materials.1.water_table=8", "materials.1.saturated_density=2000",      "materials.1.porosity=0.4",
+      "materials.1.drainage=flow", "materials.1.hydraulic_conductivity=1e-3", "materials.0.water_table=8"};
+  EXPECT_EQ(told(sand, both).find("warning"), std::string::npos) << told(sand, both);
+  auto lower = both, ramp = both;
+  lower.push_back("water_pressures.0.level=7.5");
+  ramp.push_back("water_pressures.0.ramp=1");
+  EXPECT_NE(told(sand, lower).find("the water \"sea\" stands at 7.5 m, and the water table of \"cover\" under it at 8 m"),
+            std::string::npos);
+  EXPECT_NE(told(sand, ramp).find("the water \"sea\" comes with a ramp"), std::string::npos);
+}
+
+TEST(pore_water, tells_its_smallest_pressure) {
+  // The load pulls: the water takes it as suction, on top of what stands above the base at rest.
+  const SandCase sand;
+  const auto figures = sand.run({"loads.0.traction=[0, 1e5, 0]"})["results"];
+  const auto history = read_text(sand / "run/history.csv");
+  const auto excess = column_of(history, "excess_pore_pressure_min [Pa]"), least = column_of(history, "pore_pressure_min [Pa]");
+  const auto base = column_of(read_text(sand / "run/gauges.csv"), "base.excess_pore_pressure [Pa]");
+  EXPECT_EQ(excess.front(), 0);
+  EXPECT_NEAR(excess[1], base[1], 2e3);
+  EXPECT_LT(base[1], -9.8e4);
+  EXPECT_GT(least[1], excess[1] + 4e3);  // the largest suction lies at depth
+  EXPECT_LT(least[1], 0);
+  EXPECT_EQ(figures["least_pore_pressure"].get<Real>(), *std::ranges::min_element(least));
+}
+
+TEST(ties, are_told_of_loads_on_them) {
+  const SandCase sand;
+  EXPECT_NE(told(sand, {"loads.0.group=right"}).find("the load \"load\" acts on a side that is tied"), std::string::npos);
+}
+
+TEST(settling, is_told_of_ground_that_hangs_on_a_footing) {
+  const SandCase sand(
+      "\n[[motions]]\nname = \"press\"\ntype = \"sine\"\nquantity = \"displacement\"\namplitude = 0.1\nfrequency = 1\n"
+      "\n[[boundaries]]\ngroup = \"top\"\nkind = \"prescribed\"\nmotion_y = \"press\"\n");
+  EXPECT_NE(told(sand, {}).find("the group \"top\" stands still, and the ground below hangs on it"), std::string::npos)
+      << told(sand, {});
+  EXPECT_EQ(told(sand, {"gravity.settle=false"}).find("hangs"), std::string::npos);
+  const std::vector<std::string> weak = {"materials.1.cohesion=0", "materials.1.friction_angle=30", "materials.0.cohesion=0",
+                                         "materials.0.friction_angle=30", "ties=[]"};
+  EXPECT_NE(words_of<PhysicsError>([&] { sand.run(weak); }).find("stand still while the body settles"), std::string::npos);
 }
 
 TEST(pore_water, does_not_flow_without_gravity) {

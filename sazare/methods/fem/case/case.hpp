@@ -62,6 +62,9 @@ struct FemMaterial {
 
   bool contracts() const { return blow_count || contraction_rate; }
   Real shear_modulus() const { return youngs_modulus / (2 * (1 + poisson_ratio)); }  // Pa
+  Real constrained_modulus() const {                                                 // Pa
+    return 2 * shear_modulus() * (1 - poisson_ratio) / (1 - 2 * poisson_ratio);
+  }
 };
 
 /// A joint without thickness, between two regions or on a group of faces inside the body.

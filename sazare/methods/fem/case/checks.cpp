@@ -31,10 +31,11 @@ void check_materials(const CheckContext& context, FemCase& fem) {
     if (!material.yields) {
       check_keys(
           context, list[i], "a material without cohesion", {},
-          {"friction_angle", "dilation_angle", "tensile_strength", "blow_count", "contraction_rate", "contraction_threshold"});
+          {"friction_angle", "dilation_angle", "tensile_strength", "blow_count", "contraction_rate", "contraction_threshold"},
+          "give the material a cohesion, 0.0 where it has none, or remove it");
       continue;
     }
-    check_contraction(context, list[i], material);
+    check_contraction(context, fem, list[i], material);
     check_keys(context, list[i], "a material with a cohesion", {"friction_angle"}, {});
     check_strength(context, list[i],
                    {material.cohesion, material.friction_angle, material.dilation_angle, material.tensile_strength.value_or(0)});
@@ -48,6 +49,20 @@ void check_joints(const CheckContext& context) {
                            fmt::format("the joint has {} between and group", entry.has("group") ? "both" : "neither of"),
                            "give exactly one of them: the two regions on its sides, or a group of faces inside the body");
   }
+}
+
+/// A tie is one, whichever side it names first.
+void check_ties(const CheckContext& context, const FemCase& fem) {
+  const auto list = context.entries_of("ties");
+  const auto pair_of = [](const FemTie& tie) { return std::minmax(tie.group, tie.opposite); };
+  for (std::size_t i = 0; i < list.size(); ++i)
+    for (std::size_t other = 0; other < i; ++other)
+      if (list[i].gives("group") && list[i].gives("opposite") && pair_of(fem.ties[i]) == pair_of(fem.ties[other])) {
+        context.problems.error(
+            list[i].header(), fmt::format("the groups \"{}\" and \"{}\" are tied twice", fem.ties[i].group, fem.ties[i].opposite),
+            "remove one of the two [[ties]]");
+        break;
+      }
 }
 
 void check_boundaries(const CheckContext& context, const FemCase& fem) {
@@ -108,6 +123,7 @@ void check_fem(const CheckContext& context, FemCase& fem) {
   check_unique(context, "gauges", fem.gauges);
   check_materials(context, fem);
   check_joints(context);
+  check_ties(context, fem);
   std::vector<Real> ratios;
   for (const FemMaterial& material : fem.materials) ratios.push_back(material.damping_ratio);
   for (const FemMember& member : fem.members) ratios.push_back(member.damping_ratio);

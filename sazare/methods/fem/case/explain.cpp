@@ -13,13 +13,16 @@ namespace {
 /// The compression wave of ground whose water moves with it is that of both.
 std::string drainage_text(const FemMaterial& material) {
   if (material.drainage == Drainage::drained) return ", drained";
-  const Real shear = material.shear_modulus(),
-             constrained = 2 * shear * (1 - material.poisson_ratio) / (1 - 2 * material.poisson_ratio);
-  const Real water = material.water_bulk_modulus / material.porosity;
+  const Real constrained = material.constrained_modulus(), water = material.water_bulk_modulus / material.porosity;
   std::string text =
       fmt::format("\n  {:<12}  {}: porosity {}, bulk modulus of the water {} Pa, P waves at {} m/s where no water flows", "",
                   word(material.drainage), number(material.porosity), number(material.water_bulk_modulus),
                   number(std::sqrt((constrained + water) / material.saturated_density)));
+  const Real room = material.porosity * material.pore_water_density,
+             moist = 1 - (material.saturated_density - material.density) / room;
+  if (moist > 0.01 && moist <= 1)
+    text += fmt::format("\n  {:<12}  above the table its density is that of ground whose pores are {} % full of water", "",
+                        number(100 * moist, 2));
   if (material.drainage == Drainage::flow)
     text += fmt::format("\n  {:<12}  hydraulic conductivity {} m/s", "", number(material.hydraulic_conductivity));
   return text;

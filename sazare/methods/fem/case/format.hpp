@@ -19,13 +19,14 @@ void check_fem(const CheckContext& context, FemCase& fem);
 void check_soil(const CheckContext& context, const Entry& entry, FemMaterial& material);
 
 /// Checks of sand that contracts under cycles of shear.
-void check_contraction(const CheckContext& context, const Entry& entry, const FemMaterial& material);
+void check_contraction(const CheckContext& context, const FemCase& fem, const Entry& entry, const FemMaterial& material);
 
 /// Checks of ground with a water table.
 void check_pore_water(const CheckContext& context, const FemCase& fem, const Entry& entry, const FemMaterial& material);
 
-/// Checks of still water on faces and in joints.
 void check_members(const CheckContext& context, const FemCase& fem);
+
+/// Checks of still water on faces and in joints.
 void check_water(const CheckContext& context, const FemCase& fem);
 
 /// The case as TOML with every key and default written out and its unit beside it; reading it gives the same case. Files are

@@ -12,7 +12,8 @@ namespace {
 void check_backbone_keys(const CheckContext& context, const Entry& entry, const FemMaterial& material) {
   if (!material.degrades)
     return check_keys(context, entry, "a material without backbone", {},
-                      {"reference_strain", "shear_strength", "ramberg_osgood_exponent", "modulus_reduction", "yield_surfaces"});
+                      {"reference_strain", "shear_strength", "ramberg_osgood_exponent", "modulus_reduction", "yield_surfaces"},
+                      "give the material a backbone, or remove it");
   switch (material.backbone) {
     case BackboneKind::hyperbolic:
       check_keys(context, entry, "a hyperbolic backbone", {}, {"ramberg_osgood_exponent", "modulus_reduction"});
@@ -95,18 +96,29 @@ void check_table(const CheckContext& context, const Entry& entry, FemMaterial& m
 
 }  // namespace
 
-void check_contraction(const CheckContext& context, const Entry& entry, const FemMaterial& material) {
+void check_contraction(const CheckContext& context, const FemCase& fem, const Entry& entry, const FemMaterial& material) {
   if (!material.contracts())
-    return check_keys(context, entry, "a material that does not contract", {}, {"contraction_threshold"});
+    return check_keys(context, entry, "a material that does not contract", {}, {"contraction_threshold"},
+                      "give the material a blow_count or a contraction_rate, or remove it");
   if (material.blow_count && material.contraction_rate)
     context.problems.error(entry.place("contraction_rate"), "the material has both blow_count and contraction_rate",
                            "give exactly one of them: the blow count determines the rate");
   if (material.dilation_angle > 0)
     context.problems.error(entry.place("dilation_angle"), "ground that contracts under cycles has no dilation angle",
                            "give sand that can liquefy dilation_angle = 0, or remove its blow_count or contraction_rate");
+  const Place place = entry.place(material.blow_count ? "blow_count" : "contraction_rate");
+  if (entry.gives("friction_angle") && material.friction_angle == 0)
+    context.problems.warning(
+        entry.place("friction_angle"),
+        "without friction the strength does not fall with the effective stress: such ground does not liquefy",
+        "give sand its friction angle, or remove its blow_count or contraction_rate");
+  if (fem.time.analysis == Analysis::statics && fem.motions.empty())
+    context.problems.warning(place, "nothing shears the ground to and fro in a static run without motions: it takes no volume",
+                             "set analysis = \"dynamic\" in [time], give the ground a motion, or remove it");
 }
 
 void check_soil(const CheckContext& context, const Entry& entry, FemMaterial& material) {
+  if (entry.has("backbone") && !entry.gives("backbone")) return;  // which keys belong to it is not known
   check_backbone_keys(context, entry, material);
   if (!material.degrades) return;
   if (material.yields)

@@ -44,7 +44,8 @@ void check_place(const CheckContext& context, const FemCase& fem, const Entry& e
 }
 
 void check_uplift(const CheckContext& context, const FemCase& fem, const Entry& entry, const FemWater& water) {
-  if (!entry.has("far_level")) return check_keys(context, entry, "water without a far_level", {}, {"direction"});
+  if (!entry.has("far_level"))
+    return check_keys(context, entry, "water without a far_level", {}, {"direction"}, "give far_level, or remove it");
   if (!entry.has("direction")) return;
   check_flat(context, entry, "direction", water.direction, fem.mesh.dimension, "mesh");
   if (water.direction[fem.mesh.dimension - 1] != 0 || water.direction.norm() == 0)
@@ -54,7 +55,9 @@ void check_uplift(const CheckContext& context, const FemCase& fem, const Entry& 
 }
 
 void check_added_mass(const CheckContext& context, const FemCase& fem, const Entry& entry, const FemWater& water) {
-  if (water.added_mass == AddedMass::none) return check_keys(context, entry, "water without added_mass", {}, {"bed"});
+  if (entry.has("added_mass") && !entry.gives("added_mass")) return;
+  if (water.added_mass == AddedMass::none)
+    return check_keys(context, entry, "water without added_mass", {}, {"bed"}, "set added_mass = \"westergaard\", or remove it");
   const Place place = entry.place("added_mass");
   for (const std::string_view key : {"joint", "far_level"})
     if (entry.has(key))
@@ -73,12 +76,39 @@ void check_added_mass(const CheckContext& context, const FemCase& fem, const Ent
 
 namespace {
 
+/// Below the table the pores hold no more water than they have room for.
+void check_content_of_pores(const CheckContext& context, const Entry& entry, const FemMaterial& material) {
+  if (!entry.gives("saturated_density") || !entry.gives("density") || !entry.gives("porosity")) return;
+  const Real full = material.density + material.porosity * material.pore_water_density;
+  if (material.saturated_density <= 1.01 * full) return;
+  context.problems.warning(
+      entry.place("saturated_density"),
+      fmt::format("saturated ground of {} kg/m3 is heavier than dry ground of {} kg/m3 with {} kg/m3 of water in its pores",
+                  short_number(material.saturated_density), short_number(material.density),
+                  short_number(material.porosity * material.pore_water_density)),
+      fmt::format("with this density and porosity it is {} kg/m3 at most", short_number(full)));
+}
+
+/// A skeleton that hardly changes its volume leaves the water nothing to carry.
+void check_skeleton(const CheckContext& context, const Entry& entry, const FemMaterial& material) {
+  if (!entry.gives("poisson_ratio") || !entry.gives("youngs_modulus") || !entry.gives("porosity")) return;
+  if (!(material.poisson_ratio > 0.45)) return;
+  const Real water = material.water_bulk_modulus / material.porosity;
+  context.problems.warning(
+      entry.place("poisson_ratio"),
+      fmt::format("the skeleton with a Poisson's ratio of {} hardly changes its volume: of a sudden load the water takes {} %",
+                  short_number(material.poisson_ratio), short_number(100 * water / (water + material.constrained_modulus()), 2)),
+      "give the Poisson's ratio of the drained skeleton, 0.2 to 0.4; the water adds its own stiffness");
+}
+
 void check_drainage(const CheckContext& context, const FemCase& fem, const Entry& entry, const FemMaterial& material) {
+  if (entry.has("drainage") && !entry.gives("drainage")) return;  // which keys belong to it is not known
   const auto what = fmt::format("drainage \"{}\"", word(material.drainage));
   if (material.drainage == Drainage::drained)
-    return check_keys(context, entry, what, {}, {"porosity", "water_bulk_modulus", "hydraulic_conductivity"});
+    return check_keys(context, entry, what, {}, {"porosity", "water_bulk_modulus", "hydraulic_conductivity"},
+                      "remove it, or set drainage = \"undrained\" or \"flow\"");
   if (material.drainage == Drainage::undrained)
-    check_keys(context, entry, what, {"porosity"}, {"hydraulic_conductivity"});
+    check_keys(context, entry, what, {"porosity"}, {"hydraulic_conductivity"}, "remove it, or set drainage = \"flow\"");
   else
     check_keys(context, entry, what, {"porosity", "hydraulic_conductivity"}, {});
   if (material.dilation_angle > 0)
@@ -92,6 +122,8 @@ void check_drainage(const CheckContext& context, const FemCase& fem, const Entry
       material.saturated_density < material.porosity * material.pore_water_density)
     context.problems.error(entry.place("saturated_density"), "the saturated ground is lighter than the water in its pores",
                            "check saturated_density and porosity");
+  check_content_of_pores(context, entry, material);
+  check_skeleton(context, entry, material);
 }
 
 }  // namespace
@@ -100,7 +132,8 @@ void check_pore_water(const CheckContext& context, const FemCase& fem, const Ent
   if (!material.water_table)
     return check_keys(
         context, entry, "a material without a water_table", {},
-        {"saturated_density", "pore_water_density", "drainage", "porosity", "water_bulk_modulus", "hydraulic_conductivity"});
+        {"saturated_density", "pore_water_density", "drainage", "porosity", "water_bulk_modulus", "hydraulic_conductivity"},
+        "give the material a water_table, or remove it");
   check_keys(context, entry, "a material with a water_table", {"saturated_density"}, {});
   check_drainage(context, fem, entry, material);
   check_gravity_of_water(context, fem, entry.place("water_table"), true);

@@ -32,6 +32,8 @@ inline constexpr std::array moving_water = {
     Column{"energy_kinetic_water", "J", "of the added mass of water, part of energy_kinetic; only where there is water"}};
 inline constexpr std::array pore_water = {
     Column{"excess_pore_pressure_max", "Pa", "largest of any node; where drainage is undrained or flow"},
+    Column{"excess_pore_pressure_min", "Pa", "smallest of any node, negative where ground sucks water"},
+    Column{"pore_pressure_min", "Pa", "smallest of any node, with that at rest; water cavitates near -1e5"},
     Column{"energy_elastic_pore_water", "J", "of the water in the pores, part of energy_elastic"}};
 inline constexpr std::array gauge_pressure = {
     Column{"NAME.excess_pore_pressure", "Pa", "at a gauge, above that at rest; where drainage is undrained or flow"}};
@@ -75,6 +77,7 @@ inline constexpr std::array figures = {Column{"nodes", "-", ""},
                                        Column{"step_cuts", "-", "steps that were halved"},
                                        Column{"peak_force_NAME", "N", "of a boundary on the body, by axis"},
                                        Column{"peak_excess_pore_pressure", "Pa", "where drainage is undrained or flow"},
+                                       Column{"least_pore_pressure", "Pa", "smallest of any node, with that at rest"},
                                        Column{"peak_pore_pressure_ratio", "-", "largest of any element in a snapshot"},
                                        Column{"slip_max_NAME", "m", "of a joint, at the end"}};
 

@@ -9,13 +9,15 @@
 namespace sazare::runs {
 namespace {
 
-/// Nodes of ground through which water flows.
+/// Nodes of saturated ground through which water flows.
 std::set<Index> nodes_with_flow(const cases::FemCase& given, const methods::fem::BodyDescription& body) {
   std::set<Index> nodes;
   for (std::size_t e = 0; e < body.mesh.elements.size(); ++e) {
     const cases::FemMaterial& material = given.materials[at(body.material[e])];
     const auto list = body.mesh.elements[e].node_list();
-    if (material.water_table && material.drainage == cases::Drainage::flow) nodes.insert(list.begin(), list.end());
+    if (!material.water_table || material.drainage != cases::Drainage::flow) continue;
+    if (methods::fem::centre(body.mesh, body.mesh.elements[e])[body.mesh.dimension - 1] < *material.water_table)
+      nodes.insert(list.begin(), list.end());
   }
   return nodes;
 }
@@ -51,7 +53,7 @@ std::vector<Index> drained_nodes(const cases::CaseFile& file, const methods::fem
       }
     if (!drains)
       refuse(file, key, fmt::format("the group \"{}\" has no node of ground through which water flows", given.drains[i].group),
-             "give the ground beside it drainage = \"flow\", or remove the drain");
+             "a drain needs ground with drainage = \"flow\" beside it, below its water table; remove it elsewhere");
   }
   for (std::size_t i = 0; i < given.waters.size(); ++i)
     if (!given.waters[i].in_joint())

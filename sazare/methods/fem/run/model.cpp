@@ -17,6 +17,7 @@
 #include "sazare/methods/fem/run/drains.hpp"
 #include "sazare/methods/fem/run/members.hpp"
 #include "sazare/methods/fem/run/mesh_names.hpp"
+#include "sazare/methods/fem/run/pore_checks.hpp"
 #include "sazare/methods/fem/run/sides.hpp"
 #include "sazare/methods/fem/run/ties.hpp"
 #include "sazare/methods/fem/run/water.hpp"
@@ -256,7 +257,9 @@ FemModel<D> build_fem(const cases::CaseFile& file, geometry::ElementMesh mesh) {
   description.members = make_members(file, description.mesh, names);
   fem::Supports<D> supports = SupportMaker<D>(file, description, names).make();
   FemModel<D> model;
-  model.warnings = warn_of_dry_water(file, supports.waters) + warn_of_free_pores(file, description, supports, names);
+  model.warnings = warn_of_dry_water(file, supports.waters) + warn_of_free_pores(file, description, supports, names) +
+                   warn_of_ground_water(file, description, names) + warn_of_loaded_ties(file, names) +
+                   warn_of_hanging_ground(file, description.mesh, names);
   model.step = *given.time.step;
   model.gauges = gauge_nodes(file, description.mesh);
   std::map<std::string, int> seen;

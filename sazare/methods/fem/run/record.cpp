@@ -123,8 +123,10 @@ std::vector<Real> FemRecord<D>::history_row(Real time, Real wall_seconds) {
   const methods::fem::FemWork& work = state.work;
   row.insert(row.end(), {work.gravity, work.loads, work.boundary, work.waves, work.water, work.sides});
   if (has_excess()) {
-    row.insert(row.end(), {largest_excess(), stepper().elastic_energy_of_water()});
-    peak_excess_ = std::max(peak_excess_, largest_excess());
+    const PoreExtremes found = pore_extremes();
+    row.insert(row.end(), {found.largest_excess, found.least_excess, found.least, stepper().elastic_energy_of_water()});
+    peak_excess_ = std::max(peak_excess_, found.largest_excess);
+    least_pressure_ = std::min(least_pressure_, found.least);
   }
   std::size_t place = 0;
   for (const Vector<D>& force : boundary_forces())
@@ -173,12 +175,17 @@ std::vector<Real> FemRecord<D>::gauge_row(Real time) {
 }
 
 template <int D>
-Real FemRecord<D>::largest_excess() const {
+typename FemRecord<D>::PoreExtremes FemRecord<D>::pore_extremes() const {
   const auto& pores = stepper().body().pores();
-  Real most = 0;
-  for (std::size_t pressure = 0; pressure < pores.pressure_nodes(); ++pressure)
-    most = std::max(most, methods::fem::pore_pressure<D>(pores.pressure_node(pressure), stepper().state().velocity));
-  return most;
+  PoreExtremes found;
+  for (std::size_t pressure = 0; pressure < pores.pressure_nodes(); ++pressure) {
+    const Real excess = methods::fem::pore_pressure<D>(pores.pressure_node(pressure), stepper().state().velocity);
+    found.largest_excess = std::max(found.largest_excess, excess);
+    found.least_excess = std::min(found.least_excess, excess);
+    const Real whole = pores.pressure_at_rest(pressure) + excess;
+    found.least = pressure == 0 ? whole : std::min(found.least, whole);
+  }
+  return found;
 }
 
 /// Adds the excess pressure of the elements to that at rest. Without settle there is no stress to which it has a ratio.
@@ -297,6 +304,7 @@ std::vector<std::pair<std::string, observe::Figure>> FemRecord<D>::results(std::
     results.emplace_back(fmt::format("peak_force_{}_{}", model_->group_names[i / D], axis_names[i % D]), largest_forces_[i]);
   if (has_excess()) {
     results.emplace_back("peak_excess_pore_pressure", peak_excess_);
+    results.emplace_back("least_pore_pressure", least_pressure_);
     results.emplace_back("peak_pore_pressure_ratio", peak_ratio_);
   }
   const auto& joints = stepper().body().joints();
@@ -333,6 +341,7 @@ void FemRecord<D>::columns(Archive& archive) {
   archive("peaks", peaks_);
   archive("initial_stress", initial_stress_);
   archive("peak_excess", peak_excess_);
+  archive("least_pressure", least_pressure_);
   archive("peak_ratio", peak_ratio_);
 }
 

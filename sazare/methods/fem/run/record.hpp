@@ -2,6 +2,8 @@
 
 /// What a run of method fem writes down: histories, gauges, snapshots, headline figures. It never changes the run.
 
+#include <limits>
+
 #include "sazare/methods/fem/run/columns.hpp"
 #include "sazare/methods/fem/run/model.hpp"
 #include "sazare/observe/manifest.hpp"
@@ -40,7 +42,11 @@ private:
   std::array<Real, columns::fem::energies.size()> energies() const;
   void write_snapshot(Real time);
   bool has_excess() const { return stepper().body().pores().size() > 0; }
-  Real largest_excess() const;
+  /// Of all pressure nodes [Pa].
+  struct PoreExtremes {
+    Real largest_excess = 0, least_excess = 0, least = 0;
+  };
+  PoreExtremes pore_extremes() const;
   void add_pressures(std::vector<Real>& total, std::vector<Real>& excess, std::vector<Real>& ratio);
 
   const RunFolder* folder_;
@@ -53,6 +59,7 @@ private:
   std::vector<std::vector<std::pair<Index, Real>>> gauge_pressure_;  ///< by gauge: shares of pressure nodes
   std::vector<Real> initial_stress_;  ///< vertical effective stress by element at the beginning [Pa]
   Real peak_excess_ = 0;              ///< pore pressure [Pa]
+  Real least_pressure_ = std::numeric_limits<Real>::infinity();  ///< of pore water [Pa]
   Real peak_ratio_ = 0;               ///< of pore pressure
   Real displacement_ = 0;             ///< largest of the last row [m]
   Real largest_displacement_ = 0, largest_speed_ = 0, largest_acceleration_ = 0;

@@ -138,7 +138,8 @@ void check_strengths(const CheckContext& context, const MpsCase& mps) {
     const Ground& ground = mps.materials[i];
     if (!ground.yields) {
       check_keys(context, entry, "a material without cohesion", {},
-                 {"friction_angle", "dilation_angle", "tensile_strength", "rupture_strain"});
+                 {"friction_angle", "dilation_angle", "tensile_strength", "rupture_strain"},
+                 "give the material a cohesion, 0.0 where it has none, or remove it");
       continue;
     }
     check_keys(context, entry, "a material with a cohesion", {"friction_angle"}, {});
