@@ -94,7 +94,8 @@ def write_pictures(path, names, folder):
     picture there is. Raises NotARun where `path` is no run, ValueError for a picture that there is not or that has no data."""
     sections = {section.name: section for section in sections_of(open_run(path))}
     if not names:
-        yield from (f"{name:<16}{section.heading}: {section.caption}" for name, section in sections.items())
+        width = max(map(len, sections), default=0) + 2
+        yield from (f"{name:<{width}}{section.heading}: {section.caption}" for name, section in sections.items())
         return
     unknown = [name for name in names if name not in sections]
     if unknown:

@@ -13,13 +13,14 @@ from sazare.tables import NotARun, Table, read_table
 
 @dataclass(frozen=True)
 class Gauge:
-    """The velocity history at one point: time [s] (n,), velocity [m/s] (n, 3); and the largest speed between its rows [m/s], where the run has
-    told it."""
+    """The velocity history at one point: time [s] (n,), velocity [m/s] (n, 3); the largest speed between its rows [m/s], where the run has
+    told it; and in ground whose pore water takes part the excess pore pressure [Pa] (n,), else None."""
 
     name: str
     time: np.ndarray
     velocity: np.ndarray
     peak: float = 0.0
+    excess_pore_pressure: np.ndarray | None = None
 
     @property
     def speed(self):
@@ -143,10 +144,13 @@ class Results:
         ending = ".velocity_x"
         names = [column.removesuffix(ending) for column in table if column.endswith(ending)]
         peaks = self.figures.get("ppv") or {}
-        return {
-            name: Gauge(name, table["time"], np.stack([table[f"{name}.velocity_{axis}"] for axis in "xyz"], axis=1), peaks.get(name) or 0.0)
-            for name in names
-        }
+
+        def gauge(name):
+            velocity = np.stack([table[f"{name}.velocity_{axis}"] for axis in "xyz"], axis=1)
+            pressure = f"{name}.excess_pore_pressure"
+            return Gauge(name, table["time"], velocity, peaks.get(name) or 0.0, table[pressure] if pressure in table else None)
+
+        return {name: gauge(name) for name in names}
 
     @cached_property
     def snapshots(self):

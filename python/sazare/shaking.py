@@ -5,7 +5,7 @@ import warnings
 import numpy as np
 
 from sazare import style
-from sazare.ground_motion.gauges import base_of, gauge_motions, residual, stacks, tilt, up_axis
+from sazare.ground_motion.gauges import base_of, gauge_motions, input_axes, residual, stacks, tilt, up_axis
 from sazare.ground_motion.intensity import arias_intensity, husid
 from sazare.ground_motion.pictures import COLOURS, add_gal
 from sazare.ground_motion.record import GAL
@@ -22,9 +22,15 @@ def gauge_history(results, name, quantity):
 
 
 def main_axis(results):
-    """The axis along which the gauges are accelerated most, 0 to 2."""
-    peaks = [np.abs(gauge_history(results, name, "acceleration")).max(axis=0) for name in results.gauges]
-    return int(np.argmax(np.max(peaks, axis=0))) if peaks else 0
+    """The axis of the input motion, 0 to 2: of several the one along which the lowest gauge is accelerated most, and without any the one
+    along which the gauges are."""
+    axes, motions = input_axes(results), gauge_motions(results)
+    looked_at = [base_of(results, motions).name] if axes and motions else results.gauges
+    peaks = [np.abs(gauge_history(results, name, "acceleration")).max(axis=0) for name in looked_at]
+    if not peaks:
+        return 0
+    axes = axes or range(3)
+    return axes[int(np.argmax(np.max(peaks, axis=0)[list(axes)]))]
 
 
 @style.styled
@@ -164,7 +170,7 @@ def profiles(results):
 
 @style.styled
 def relative_displacements(results):
-    """Displacement of the gauges less that of the lowest one [m], along the axis of the strongest motion."""
+    """Displacement of the gauges less that of the lowest one [m], along the axis of the input motion."""
     motions = gauge_motions(results)
     if len(motions) < 2:
         return None

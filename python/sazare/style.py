@@ -10,6 +10,7 @@ from matplotlib import font_manager
 from matplotlib.colors import LinearSegmentedColormap, ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.text import Text
+from matplotlib.ticker import MaxNLocator
 
 STONE = "#e9e4da"
 STONE_EDGE = "#c9c1b2"
@@ -104,10 +105,40 @@ def write_names_plainly(figure):
             text.set_parse_math(False)
 
 
+LEAST_GAP = 0.6  # between labels of ticks, over their height
+
+
+def _overlaps(boxes):
+    return any(after.x0 - before.x1 < LEAST_GAP * before.height for before, after in zip(boxes, boxes[1:]))
+
+
+def thin_out_labels(figure):
+    """Leaves out labels of ticks along x that touch each other, as in narrow panels; that of 0 stays."""
+    figure.draw_without_rendering()
+    for axes in [one for parent in figure.axes for one in (parent, *parent.child_axes)]:
+        if axes.name == "3d" or not isinstance(axes.xaxis.get_major_locator(), MaxNLocator):
+            continue
+        low, high = sorted(axes.get_xlim())
+        labels = [(tick.get_loc(), label) for tick in axes.xaxis.get_major_ticks() for label in (tick.label1, tick.label2) if label.get_visible()]
+        shown = [(float(place), label) for place, label in labels if low <= place <= high and label.get_text()]
+        places, boxes = [place for place, _ in shown], [label.get_window_extent() for _, label in shown]
+        every = 1
+        while every < len(shown) and _overlaps(boxes[_first(places, every) :: every]):
+            every += 1
+        if every > 1:
+            axes.set_xticks(places[_first(places, every) :: every])
+
+
+def _first(places, every):
+    """Where to begin, so that 0 is one of every so many."""
+    return next((number % every for number, place in enumerate(places) if place == 0.0), 0)
+
+
 @styled
 def save(figure, path):
-    """Writes a figure in the format of the path's ending; names of users stand as they are."""
+    """Writes a figure in the format of the path's ending; names of users stand as they are, and labels of ticks apart."""
     write_names_plainly(figure)
+    thin_out_labels(figure)
     figure.savefig(path)
 
 

@@ -99,3 +99,23 @@ def test_the_von_mises_stress_follows_from_the_components_of_the_stress(tmp_path
     (x, y, z), (xy, yz, zx) = np.asarray(cells["normal_stress"]).T, np.asarray(cells["shear_stress"]).T
     expected = np.sqrt(0.5 * ((x - y) ** 2 + (y - z) ** 2 + (z - x) ** 2) + 3.0 * (xy**2 + yz**2 + zx**2))
     assert np.asarray(cells["von_mises_stress"]) == pytest.approx(expected, rel=1e-12)
+
+
+def test_the_range_of_the_pore_pressure_is_drawn_with_its_suction():
+    columns = {"time": [0.0, 1.0], "excess_pore_pressure_max": [0.0, 2e4], "excess_pore_pressure_min": [0.0, -1.2e5], "pore_pressure_min": [0.0, -9e4]}
+    history = Table({name: np.array(values) for name, values in columns.items()})
+    lines = fem.pore_pressure_range(SimpleNamespace(history=history)).axes[0].lines
+    assert [line.get_ydata()[-1] for line in lines] == pytest.approx([20.0, -120.0, -90.0])
+    still = Table({name: np.zeros(2) if name != "time" else np.arange(2.0) for name in columns})
+    assert fem.pore_pressure_range(SimpleNamespace(history=still)) is None
+
+
+def test_members_are_drawn_with_their_moments():
+    columns = {"time": [0.0, 1.0]}
+    for name, moment in (("wall", 2e5), ("rod", 0.0)):
+        columns |= {f"{name}.axial_force_min": [0.0, -1e5], f"{name}.axial_force_max": [0.0, 5e4], f"{name}.moment_max": [0.0, moment]}
+    figure = fem.members(SimpleNamespace(history=Table({name: np.array(values) for name, values in columns.items()})))
+    left, right = figure.axes
+    assert [line.get_ydata()[-1] for line in left.lines] == pytest.approx([50.0, -100.0] * 2)
+    assert [line.get_ydata()[-1] for line in right.lines] == pytest.approx([200.0])
+    assert right.lines[0].get_color() == left.lines[0].get_color()

@@ -38,6 +38,13 @@ def test_main_axis_is_that_of_the_strongest_motion(ground_run):
         2.0 * shaking.gauge_history(results, "base", "acceleration")[:, 1].max())
 
 
+def test_main_axis_is_that_of_the_input_whatever_else_moves(ground_run):
+    (ground_run / "case.toml").write_text('[[boundaries]]\nside = "bottom"\nmotion_x = "wave"\nmotion_y = ""\n')
+    assert shaking.main_axis(open_run(ground_run)) == 0
+    (ground_run / "case.toml").write_text('[[boundaries]]\nside = "bottom"\nmotion_x = "wave"\nmotion_y = "wave"\n')
+    assert shaking.main_axis(open_run(ground_run)) == 1
+
+
 def test_spectral_ratio_is_that_of_the_gauges(ground_run):
     figure = shaking.spectra(open_run(ground_run))
     ratio = figure.axes[1].lines[0].get_ydata()

@@ -126,6 +126,16 @@ def test_finite_elements_in_the_plane_show_regions_supports_joints_and_loads():
     assert set(sides[:, 0].round(9)) == {-20.0, 30.0}
 
 
+def test_finite_elements_show_ties_drains_and_members():
+    pile = {"name": "pile", "kind": "bar", "group": "right", "youngs_modulus": 2e11, "area": 1e-2}
+    anchor = {"name": "anchor", "kind": "spring", "from": [0.0, 1.0, 0.0], "to": [0.5, 4.0, 0.0], "stiffness": 1e6}
+    figure = sazare.draw_model(CASES / "liquefaction-column/case.toml", overrides={"drains": [{"group": "left"}], "members": [pile, anchor]})
+    assert {"tied: left to right", "drain: left", "bar: pile", "spring: anchor"} <= set(legend(figure))
+    drawn = {artist.get_label(): artist for artist in figure.axes[0].collections}
+    assert set(np.concatenate(drawn["tied: left to right"].get_segments())[:, 0].round(9)) == {0.0, 0.5}
+    assert set(np.concatenate(drawn["drain: left"].get_segments())[:, 0].round(9)) == {0.0}
+
+
 def test_finite_elements_in_space_show_supports():
     figure = sazare.draw_model(CASES / "rock-fall-on-slab/slab.toml")
     assert legend(figure) == ["slab (concrete): 288 elements", "fixed: left support", "roller (z held): right support", "gauge"]

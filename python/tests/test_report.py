@@ -5,6 +5,7 @@ import re
 import shutil
 import sys
 import warnings
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -12,7 +13,7 @@ import pyvista
 from matplotlib.image import imread
 
 import sazare
-from sazare import plot, style
+from sazare import plot, report, style
 from sazare.__main__ import main
 from sazare.methods import blocks_curves
 from sazare.methods.common import energy_balance
@@ -189,6 +190,28 @@ def test_plot_writes_the_pictures_that_are_named(slab, tmp_path, capsys):
     assert main(["plot", str(slab)]) == 0
     listed = {line.split()[0] for line in capsys.readouterr().out.splitlines()[2:]}
     assert listed == PICTURES
+
+
+def test_plot_keeps_long_names_apart_from_their_words(slab, capsys, monkeypatch):
+    section = report.sections_of(report.open_run(slab))[0]
+    monkeypatch.setattr(report, "sections_of", lambda _: [replace(section, name="a" * 16), replace(section, name="b")])
+    lines = list(report.write_pictures(slab, [], "."))
+    assert lines[0].startswith("a" * 16 + "  ") and lines[1].startswith("b" + 17 * " ")
+
+
+def test_labels_of_narrow_panels_keep_apart():
+    figure = style.figure(6.0, 3.0)
+    narrow, wide = figure.subplots(1, 2, width_ratios=(1, 20))
+    for axes in (narrow, wide):
+        axes.set_xlim(-0.6, 0.6)
+    style.thin_out_labels(figure)
+    figure.draw_without_rendering()
+    for axes in (narrow, wide):
+        labels = [label for label in axes.get_xticklabels() if label.get_text() and -0.6 <= label.get_position()[0] <= 0.6]
+        boxes = [label.get_window_extent() for label in labels]
+        assert 0.0 in [label.get_position()[0] for label in labels]
+        assert all(after.x0 > before.x1 for before, after in zip(boxes, boxes[1:]))
+    assert len(wide.get_xticks()) > 4
 
 
 def test_plot_says_which_pictures_there_are(slab, tmp_path, capsys):

@@ -42,6 +42,17 @@ def test_a_gauge_may_have_dots_in_its_name(tmp_path):
     assert sazare.open(tmp_path).gauges["no. 1"].ppv == 5.0
 
 
+def test_a_gauge_in_saturated_ground_has_its_excess_pore_pressure(tmp_path):
+    (tmp_path / "manifest.json").write_text("{}")
+    (tmp_path / "gauges.csv").write_text(
+        "time [s],sand.velocity_x [m/s],sand.velocity_y [m/s],sand.velocity_z [m/s],wall.velocity_x [m/s],wall.velocity_y [m/s],wall.velocity_z [m/s],"
+        "sand.excess_pore_pressure [Pa]\n0,0,0,0,0,0,0,5e3\n1,0,0,0,0,0,0,-2e3\n"
+    )
+    gauges = sazare.open(tmp_path).gauges
+    assert gauges["sand"].excess_pore_pressure.tolist() == [5e3, -2e3]
+    assert gauges["wall"].excess_pore_pressure is None
+
+
 def test_snapshots_are_meshes_by_time(slab):
     snapshots = sazare.open(slab).snapshots
     assert snapshots.times == pytest.approx(np.linspace(0.0, 5e-4, 6))

@@ -74,6 +74,12 @@ def up_axis(results, motions):
     return 2 if heights and np.ptp(heights) > 0.0 else 1
 
 
+def input_axes(results):
+    """The axes (0 to 2) along which the case moves something: supports and sides that follow one of its motions, and waves that come in."""
+    entries = [entry for table in _case(results).values() if isinstance(table, list) for entry in table if isinstance(entry, dict)]
+    return [axis for axis, letter in enumerate(AXES) if any(entry.get(f"motion_{letter}") for entry in entries)]
+
+
 def base_of(results, motions):
     """The lowest gauge; the first one where positions are not known."""
     if any(motion.point is None for motion in motions):

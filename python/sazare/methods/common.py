@@ -47,7 +47,7 @@ def shaking_sections(results):
     """Acceleration at the gauges over time, and its spectra."""
     return [
         Section(
-            "accelerations", "Accelerations", "Acceleration at the gauges along the axis of strongest motion; dots mark the peaks.",
+            "accelerations", "Accelerations", "Acceleration at the gauges along the axis of the input motion; dots mark the peaks.",
             partial(shaking.accelerations, results), NO_GAUGES,
         ),
         Section(
@@ -60,7 +60,7 @@ def shaking_sections(results):
             partial(shaking.response_spectra, results), NO_ACCELERATIONS,
         ),
         Section(
-            "husid", "Arias intensity", "Growth of the Arias intensity at the gauges along the axis of strongest motion.",
+            "husid", "Arias intensity", "Growth of the Arias intensity at the gauges along the axis of the input motion.",
             partial(shaking.husid_curves, results), NO_ACCELERATIONS,
         ),
         Section(

@@ -171,6 +171,35 @@ def joints(results):
 
 
 @style.styled
+def members(results):
+    """Largest tension and compression of each member [N], and its largest bending moment [N m], against time."""
+    history = results.history
+    names = [name.removesuffix(".axial_force_max") for name in history if name.endswith(".axial_force_max")][:MOST_JOINTS]
+    if not names or history.rows < 2:
+        return None
+    bent = [name for name in names if np.any(history[f"{name}.moment_max"] != 0.0)]
+    time, time_label = plot.time_axis(history)
+    figure = style.figure(9.0, 3.4)
+    panels = figure.subplots(1, 2 if bent else 1, squeeze=False)[0]
+    factor, prefix = style.prefix_of(*(history[f"{name}.axial_force_{end}"] for name in names for end in ("min", "max")))
+    for name in names:
+        line, = panels[0].plot(time, history[f"{name}.axial_force_max"] / factor, linewidth=1.0, label=name)
+        panels[0].plot(time, history[f"{name}.axial_force_min"] / factor, linewidth=1.0, linestyle=":", color=line.get_color())
+    panels[0].set_ylabel(f"axial force, tension positive [{prefix}N]")
+    panels[0].legend()
+    if bent:
+        factor, prefix = style.prefix_of(*(history[f"{name}.moment_max"] for name in bent))
+        for name in bent:
+            color = next(line.get_color() for line in panels[0].lines if line.get_label() == name)
+            panels[1].plot(time, history[f"{name}.moment_max"] / factor, linewidth=1.0, color=color)
+        panels[1].set_ylabel(f"largest bending moment [{prefix}N m]")
+    for axes in panels:
+        axes.set_xlabel(time_label)
+        axes.margins(x=0)
+    return figure
+
+
+@style.styled
 def displacements(results):
     """Displacement [m] at the gauges along the axis of the largest one, against time."""
     table = results.gauge_table
@@ -215,6 +244,27 @@ def pore_pressures(results):
 
 
 @style.styled
+def pore_pressure_range(results):
+    """Largest and smallest excess pore pressure of any node [Pa], and the smallest pressure in all, against time; None without any."""
+    history = results.history
+    names = {"excess_pore_pressure_max": "largest excess", "excess_pore_pressure_min": "smallest excess", "pore_pressure_min": "smallest in all"}
+    shown = [name for name in names if name in history]
+    if history.rows < 2 or not any(np.any(history[name] != 0.0) for name in shown):
+        return None
+    time, time_label = plot.time_axis(history)
+    factor, prefix = style.prefix_of(*(history[name] for name in shown))
+    figure = style.figure(6.2, 3.4)
+    axes = figure.subplots()
+    for name in shown:
+        axes.plot(time, history[name] / factor, linewidth=1.1, label=names[name])
+    axes.set_xlabel(time_label)
+    axes.set_ylabel(f"pore pressure [{prefix}Pa]")
+    axes.legend()
+    axes.margins(x=0)
+    return figure
+
+
+@style.styled
 def pore_pressure_ratio(results):
     """Pore pressure ratio [-] of every element at its largest and at the end; None where there is none."""
     snapshots = results.element_snapshots
@@ -233,6 +283,11 @@ def _pore_sections(results):
     return [
         Section("pore_pressures", "Excess pore pressure", "Excess pore pressure at the gauges.", partial(pore_pressures, results), common.NO_GAUGES, wide=False),
         Section(
+            "pore_pressure_range", "Range of the pore pressure",
+            "Largest and smallest excess pore pressure of any node, and the smallest pressure with that at rest; water cavitates near −100 kPa.",
+            partial(pore_pressure_range, results), "No pressure has changed.", wide=False,
+        ),
+        Section(
             "pore_pressure_ratio", "Pore pressure ratio",
             "Excess pore pressure over the vertical effective stress at the beginning, at its largest and at the end.",
             partial(pore_pressure_ratio, results), "No element has one.",
@@ -244,6 +299,7 @@ def sections(results):
     """The pictures of a run."""
     static = 'analysis = "static"' in results.case_text
     has_excess = "excess_pore_pressure_max" in results.history
+    has_members = any(name.endswith(".axial_force_max") for name in results.history)
     has_joints = any(name.endswith(".slip_max") for name in results.history)
     return [
         Section(
@@ -257,6 +313,7 @@ def sections(results):
             partial(displacements, results), common.NO_GAUGES, wide=False,
         ),
         *([_joint_section(results)] if has_joints else []),
+        *([_member_section(results)] if has_members else []),
         *(_pore_sections(results) if has_excess else []),
         *([] if static else common.shaking_sections(results)),
         common.energy_section(results, ENERGIES, "the external work"),
@@ -266,6 +323,13 @@ def sections(results):
 
 def _joint_section(results):
     return Section("joints", "Joints", "Share of the joint area that slips or is open, and maximum slip.", partial(joints, results), "")
+
+
+def _member_section(results):
+    return Section(
+        "members", "Members", "Axial force along each member, its largest (full line) and smallest (dotted), and the largest bending moment.",
+        partial(members, results), "",
+    )
 
 
 def verdict(results):

@@ -9,7 +9,7 @@ from sazare.model.parts import (
 )
 
 MOST_ARROWS = 12  # of a load
-WATER = "#2b6cb0"
+WATER, DRAIN, TIED = "#2b6cb0", "#00a0b8", "#4f7a00"
 
 
 def preparation(case):
@@ -21,9 +21,10 @@ def preparation(case):
 def model(opened):
     """What is drawn of the case."""
     dimension = opened.case["mesh"]["dimension"]
-    parts = [*_regions(opened, dimension), *_joints(opened, dimension), *_boundaries(opened, dimension)]
+    parts = [*_regions(opened, dimension), *_members(opened), *_joints(opened, dimension), *_boundaries(opened, dimension), *_ties(opened, dimension)]
     loads = [(entry, surface_part(opened, [entry["group"]], dimension, _load_label(entry), COLORS["load"], LOAD)) for entry in opened.all("loads")]
     waters = [part for entry in opened.all("water_pressures") for part in _water(opened, entry, dimension)]
+    waters += [surface_part(opened, [entry["group"]], dimension, f"drain: {entry['group']}", DRAIN, LOAD) for entry in opened.all("drains")]
     center = np.asarray(opened.first.points).mean(axis=0)
     arrows = [arrow for entry, part in loads for arrow in _load_arrows(entry, part, center)]
     return Model(dimension, [*parts, *(part for _, part in loads), *waters], gauges_at_points(opened), arrows, opened.gravity)
@@ -75,6 +76,21 @@ def _boundaries(opened, dimension):
     for words, entries in grouped(opened.all("boundaries"), boundary_words).items():
         names = [entry["group"] for entry in entries]
         yield surface_part(opened, names, dimension, f"{words}: {listed(names)}", COLORS[entries[0]["kind"]], BOUNDARY, names)
+
+
+def _ties(opened, dimension):
+    for entry in opened.all("ties"):
+        names = [entry["group"], entry["opposite"]]
+        yield surface_part(opened, names, dimension, f"tied: {names[0]} to {names[1]}", TIED, BOUNDARY, names)
+
+
+def _members(opened):
+    for entry in opened.all("members"):
+        label = f"{entry['kind']}: {entry['name']}"
+        if entry.get("group"):
+            yield surface_part(opened, [entry["group"]], 2, label, style.INK)
+        else:
+            yield Part(label, style.INK, BOUNDARY, lines=np.array([[entry["from"], entry["to"]]], dtype=float))
 
 
 def _load_label(entry):
