@@ -46,6 +46,7 @@ PICTURES = {
     "stones-through-water": "spheres",
     "strip-footing": "yielding",
     "caisson-quay-wall": "yielding",
+    "quay-wall-dry": "yielding",
     "slope-free-field": "yielding",
     "cantilever-fem": "displaced",
     "seawall-shaking-table": "together",

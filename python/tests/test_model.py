@@ -136,6 +136,13 @@ def test_finite_elements_show_ties_drains_and_members():
     assert set(np.concatenate(drawn["drain: left"].get_segments())[:, 0].round(9)) == {0.0}
 
 
+def test_finite_elements_show_free_field_sides_and_a_tie_rod():
+    figure = sazare.draw_model(CASES / "quay-wall-dry/case.toml")
+    assert {"free_field: sea side, land side", "beam: wall", "bar: tie_rod"} <= set(legend(figure))
+    rod = next(artist for artist in figure.axes[0].collections if artist.get_label() == "bar: tie_rod")
+    np.testing.assert_allclose(np.concatenate(rod.get_segments()), [[0.0, -1.5], [12.0, -1.5]])
+
+
 def test_finite_elements_in_space_show_supports():
     figure = sazare.draw_model(CASES / "rock-fall-on-slab/slab.toml")
     assert legend(figure) == ["slab (concrete): 288 elements", "fixed: left support", "roller (z held): right support", "gauge"]

@@ -77,6 +77,7 @@ RUNS = {
     "rotating-drum": Run(until(0.8)),
     "seawall-in-water": Run(sides_until(1.5)),
     "seawall-shaking-table": Run(sides_until(1.5)),  # it is shaken from 1 s on
+    "quay-wall-dry": Run(until(1)),
     "seawall-two-programs": Run(sides_until(0.5), two_programs=True),
     "shaking-table": Run(),
     "slope-free-field": Run(until(2)),

@@ -17,7 +17,7 @@ BODY, BOUNDARY, LOAD, WALL, INSIDE = "body", "boundary", "load", "wall", "inside
 
 # Colours of what acts on a body, by the words of the case files.
 COLORS = {
-    "fixed": "#8c1d1d", "roller": "#d98a1f", "frictionless": "#d98a1f", "prescribed": "#7d3fa0", "viscous": "#2f6f9f", "absorbing": "#2f6f9f",
+    "fixed": "#8c1d1d", "roller": "#d98a1f", "frictionless": "#d98a1f", "prescribed": "#7d3fa0", "viscous": "#2f6f9f", "free_field": "#3f8f8f", "absorbing": "#2f6f9f",
     "load": "#d6302b", "joint": "#1c8a6b", "stemming": "#6b5a4a", "surface": "#c2188f", "support": style.INK, "velocity": "#7d3fa0",
 }
 JOINT_COLORS = (COLORS["joint"], "#b0269a", "#c28a00", "#5b3fc4", "#4f7a00", "#00a0b8")  # of sets, which are told apart
