@@ -1,7 +1,7 @@
 #pragma once
 
-/// Water in joints beside saturated ground: the excess pressure p of the ground pushes both faces apart, and the water that fills an
-/// opening comes from the ground,
+/// Water in joints beside saturated ground: the excess pressure p of the ground pushes both faces apart, and the water that fills
+/// an opening comes from the ground,
 ///
 ///     -Q p  on the faces,    Q^T u'  in the pressures' rows,    Q  integral of N_p n over the jump of the displacement
 ///

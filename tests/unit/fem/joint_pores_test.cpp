@@ -83,7 +83,8 @@ Real pressed(const FemStepper<D>& stepper) {
 }
 
 TEST(pores_beside_a_joint, share_a_load_with_it_as_water_and_ground_between_two_plates) {
-  // No water leaves: what ground and joint are compressed by, s h/M + s/k with the effective stress s, the water takes, (load - s) S h.
+  // No water leaves: what ground and joint are compressed by, s h/M + s/k with the effective stress s, the water takes, (load -
+  // s) S h.
   test::for_every_shape([&]<int D>(ElementShape shape, std::integral_constant<int, D>) {
     OnGround<D> ground(shape, 1e-2);
     ground.hold_block_aside();
@@ -140,7 +141,7 @@ TEST(pores_beside_a_joint, leave_a_block_the_friction_of_the_effective_stress) {
       } catch (const std::exception&) {
         return true;
       }
-      EXPECT_LT(std::abs(stepper.energy_residual()), 1e-6 * stepper.work().loads)<< drains;
+      EXPECT_LT(std::abs(stepper.energy_residual()), 1e-6 * stepper.work().loads) << drains;
       return false;
     };
     const Real weight = 9.81 * 2000 * height, limit = friction * (weight + (drains ? 8e4 : 0));

@@ -55,11 +55,12 @@ std::string warn_of_table(const cases::CaseFile& file, const fem::BodyDescriptio
     cut += table > element.low + slack * element.size() && table < element.high - slack * element.size() ? 1 : 0;
   }
   if (table <= ground.low)
-    return tell(file, key,
-                fmt::format("the water table at {} m lies below all ground of \"{}\", which begins at {} m: none of it is saturated",
-                            short_number(table), material.name, short_number(ground.low)),
-                fmt::format("the table is an elevation, {} in the coordinates of the mesh; remove it where the ground is dry",
-                            "xyz"[body.mesh.dimension - 1]));
+    return tell(
+        file, key,
+        fmt::format("the water table at {} m lies below all ground of \"{}\", which begins at {} m: none of it is saturated",
+                    short_number(table), material.name, short_number(ground.low)),
+        fmt::format("the table is an elevation, {} in the coordinates of the mesh; remove it where the ground is dry",
+                    "xyz"[body.mesh.dimension - 1]));
   if (cut == 0 || material.drainage == cases::Drainage::drained) return "";
   return tell(file, key,
               fmt::format("the water table cuts {} of \"{}\", each of which is saturated or dry as a whole",
@@ -79,15 +80,17 @@ std::string warn_of_slow_flow(const cases::CaseFile& file, const fem::BodyDescri
   const Real softness = 1 / material.constrained_modulus() + material.porosity / material.water_bulk_modulus;
   const Real way = std::sqrt(material.hydraulic_conductivity / (weight * softness) * given.time.end);
   if (!(way < least)) return "";
-  return tell(file, fmt::format("materials.{}.hydraulic_conductivity", number),
-              fmt::format("within the run water flows over {} m of \"{}\", less than the height of its elements, {} m and more: what "
-                          "settles at once beside drains is that of the mesh",
-                          short_number(way, 2), material.name, short_number(least, 2)),
-              "set drainage = \"undrained\", or give elements near drains a small part of that height");
+  return tell(
+      file, fmt::format("materials.{}.hydraulic_conductivity", number),
+      fmt::format("within the run water flows over {} m of \"{}\", less than the height of its elements, {} m and more: what "
+                  "settles at once beside drains is that of the mesh",
+                  short_number(way, 2), material.name, short_number(least, 2)),
+      "set drainage = \"undrained\", or give elements near drains a small part of that height");
 }
 
 /// An open water against the ground under it: the first face with another table.
-std::string warn_of_level(const cases::CaseFile& file, const fem::BodyDescription& body, const MeshNames& names, std::size_t number) {
+std::string warn_of_level(const cases::CaseFile& file, const fem::BodyDescription& body, const MeshNames& names,
+                          std::size_t number) {
   const auto& given = file.as<cases::FemCase>();
   const cases::FemWater& water = given.waters[number];
   if (water.in_joint() || water.far_level) return "";
@@ -102,18 +105,20 @@ std::string warn_of_level(const cases::CaseFile& file, const fem::BodyDescriptio
     if (!material.water_table || face.low >= std::max(*material.water_table, water.level)) continue;
     is_on_saturated = true;
     if (std::abs(*material.water_table - water.level) > 1e-6)
-      return tell(file, key + ".level",
-                  fmt::format("the water \"{}\" stands at {} m, and the water table of \"{}\" under it at {} m: the difference loads "
-                              "the skeleton of the ground as if it were no water",
-                              water.name, short_number(water.level), material.name, short_number(*material.water_table)),
-                  "give both the same elevation; the water in the ground stays as it is at the beginning");
+      return tell(
+          file, key + ".level",
+          fmt::format("the water \"{}\" stands at {} m, and the water table of \"{}\" under it at {} m: the difference loads "
+                      "the skeleton of the ground as if it were no water",
+                      water.name, short_number(water.level), material.name, short_number(*material.water_table)),
+          "give both the same elevation; the water in the ground stays as it is at the beginning");
   }
   if (!is_on_saturated || water.ramp == 0) return "";
-  return tell(file, key + ".ramp",
-              fmt::format("the water \"{}\" comes with a ramp, but the water in the ground under it is there from the beginning, and "
-                          "pushes the surface out meanwhile",
-                          water.name),
-              "remove the ramp; settle begins in equilibrium with the water");
+  return tell(
+      file, key + ".ramp",
+      fmt::format("the water \"{}\" comes with a ramp, but the water in the ground under it is there from the beginning, and "
+                  "pushes the surface out meanwhile",
+                  water.name),
+      "remove the ramp; settle begins in equilibrium with the water");
 }
 
 std::set<Index> nodes_of(const geometry::ElementGroup& group) {
@@ -137,7 +142,8 @@ std::string warn_of_loaded_ties(const cases::CaseFile& file, const MeshNames& na
   const auto& given = file.as<cases::FemCase>();
   std::set<std::set<Index>> tied;
   const auto add = [&](const std::string& key, const std::string& group) {
-    for (const auto& face : names.group(key, group, false).elements) tied.insert({face.node_list().begin(), face.node_list().end()});
+    for (const auto& face : names.group(key, group, false).elements)
+      tied.insert({face.node_list().begin(), face.node_list().end()});
   };
   for (std::size_t i = 0; i < given.ties.size(); ++i) {
     add(fmt::format("ties.{}.group", i), given.ties[i].group);
@@ -175,10 +181,11 @@ std::string warn_of_hanging_ground(const cases::CaseFile& file, const geometry::
     const std::set<Index> nodes = nodes_of(names.group(fmt::format("boundaries.{}.group", i), boundary.group, false));
     const std::vector<Index> list(nodes.begin(), nodes.end());
     if (heights_of(mesh, list).low <= body.low + 1e-6 * body.size()) continue;
-    all += tell(file, fmt::format("boundaries.{}", i),
-                fmt::format("while the body settles under gravity the group \"{}\" stands still, and the ground below hangs on it",
-                            boundary.group),
-                "leave settle out, or press the group with one of [[loads]] instead of moving it");
+    all +=
+        tell(file, fmt::format("boundaries.{}", i),
+             fmt::format("while the body settles under gravity the group \"{}\" stands still, and the ground below hangs on it",
+                         boundary.group),
+             "leave settle out, or press the group with one of [[loads]] instead of moving it");
   }
   return all;
 }
