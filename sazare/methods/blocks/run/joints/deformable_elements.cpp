@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "sazare/geometry/tetrahedron.hpp"
-#include "sazare/laws/deformable_block.hpp"
 
 namespace sazare::runs {
 
