@@ -131,7 +131,8 @@ TEST(MeshFit, AHoleWhoseAxisIsElsewhereThanItsWallIsRefused) {
     warnings_of(joint("both", "hard", "soft") + charge("1.5", "0.3"));
     FAIL();
   } catch (const UserError& error) {
-    EXPECT_TRUE(has(error.what(), "the hole meets no wall: the corners of \"hole\" are 0.6667 m from its axis, and it is 0.3 m across"))
+    EXPECT_TRUE(
+        has(error.what(), "the hole meets no wall: the corners of \"hole\" are 0.6667 m from its axis, and it is 0.3 m across"))
         << error.what();
   }
 }

@@ -60,8 +60,8 @@ std::string warn_of_charges(const cases::CaseFile& file, const std::vector<Charg
     const Real radius = charge.diameter / 2;
     if (fits[i].distance > elsewhere * charge.diameter)
       refuse(file, key + ".collar",
-             fmt::format("the hole meets no wall: the corners of \"{}\" are {} m from its axis, and it is {} m across", charge.surface,
-                         number(fits[i].distance), number(charge.diameter)),
+             fmt::format("the hole meets no wall: the corners of \"{}\" are {} m from its axis, and it is {} m across",
+                         charge.surface, number(fits[i].distance), number(charge.diameter)),
              "collar and toe are in m, in the coordinates of the mesh; is this the wall of that hole?");
     if (std::abs(fits[i].distance - radius) > most_off * radius)
       all += warning(file, key + ".diameter",
