@@ -110,8 +110,7 @@ void drift_back(state::Motion<D>& motion, state::Inertia<D>& inertia, const Inst
   const Real seconds = now.seconds_since(motion.due);
   motion.position += seconds * motion.velocity;
   rotate(motion, inertia, seconds);
-  // The velocity is taken to change evenly: in the middle of the step it is the mean.
-  const Real kept = 1 - 2 * static_cast<Real>(motion.due - now.tick) / static_cast<Real>(motion.due - motion.last_kick);
+  const Real kept = kept_change(motion, now);
   motion.predicted_velocity = motion.velocity + kept * (motion.predicted_velocity - motion.velocity);
   motion.predicted_spin = motion.spin + kept * (motion.predicted_spin - motion.spin);
   motion.due = now.tick;

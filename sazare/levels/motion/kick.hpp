@@ -35,6 +35,13 @@ void drift(state::Motion<D>& motion, state::Inertia<D>& inertia, state::Locks lo
 template <int D>
 void predict(state::Motion<D>& motion, const state::Inertia<D>& inertia, state::Locks locks, state::Impulse<D> given);
 
+/// Share of a predicted change of velocity that is left where a body is taken back to `now`. The velocity is taken to change
+/// evenly: in the middle of the step it is the mean.
+template <int D>
+Real kept_change(const state::Motion<D>& motion, const Instant& now) {
+  return 1 - 2 * static_cast<Real>(motion.due - now.tick) / static_cast<Real>(motion.due - motion.last_kick);
+}
+
 /// Takes a body that a link needs before its time back from `due` to `now`, which becomes its own time.
 template <int D>
 void drift_back(state::Motion<D>& motion, state::Inertia<D>& inertia, const Instant& now);

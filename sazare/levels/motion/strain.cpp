@@ -1,9 +1,14 @@
 #include "sazare/levels/motion/strain.hpp"
 
+#include "sazare/levels/motion/kick.hpp"
+
 namespace sazare::motion {
 
+namespace {
+
+/// Takes out of forces on a strain what would move points of the body along the axes of the world in which its translation is
+/// locked.
 Vector6 without_locked(const Vector6& numbers, const Matrix3& rotation, state::Locks locks) {
-  if (locks.translation == 0) return numbers;
   Matrix3 world = rotation * tensor_of(numbers) * rotation.transpose();
   for (int axis = 0; axis < 3; ++axis)
     if (locks.translation >> axis & 1) {
@@ -12,8 +17,6 @@ Vector6 without_locked(const Vector6& numbers, const Matrix3& rotation, state::L
     }
   return numbers_of(rotation.transpose() * world * rotation);
 }
-
-namespace {
 
 void clear_locked(const state::Bodies<3>& bodies, Index body, state::StrainImpulse& given) {
   const state::Locks locks = bodies.locks[at(body)];
@@ -38,9 +41,7 @@ void drift_strain_back(state::Bodies<3>& bodies, Index body, const Instant& now)
   const auto& motion = bodies.motion[at(body)];
   auto& strain = bodies.strain[at(body)];
   strain.strain += now.seconds_since(motion.due) * strain.rate;
-  // The rate is taken to change evenly: in the middle of the step it is the mean.
-  const Real kept = 1 - 2 * static_cast<Real>(motion.due - now.tick) / static_cast<Real>(motion.due - motion.last_kick);
-  strain.predicted_rate = strain.rate + kept * (strain.predicted_rate - strain.rate);
+  strain.predicted_rate = strain.rate + kept_change(motion, now) * (strain.predicted_rate - strain.rate);
 }
 
 state::StrainNow strain_now(const state::Bodies<3>& bodies, Index body, const Instant& now, state::StrainImpulse given) {

@@ -7,10 +7,6 @@
 
 namespace sazare::motion {
 
-/// Takes out of strains, or of forces on them, what would move points of the body along the axes of the world in which its
-/// translation is locked.
-Vector6 without_locked(const Vector6& numbers, const Matrix3& rotation, state::Locks locks);
-
 /// Kicks the strain of a body that has just been kicked and has drifted to its next time. Returns the mean of its rates before
 /// and after the kick: the impulse times it is the work done.
 Vector6 step(state::Bodies<3>& bodies, Index body, state::StrainImpulse given, Real tick_seconds);

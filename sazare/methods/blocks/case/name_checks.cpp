@@ -41,10 +41,11 @@ void check_deformable(const CheckContext& context, const BlocksCase& blocks) {
       context.problems.error(entry.place("bulk_damping_ratio"), "bulk_damping_ratio of rigid elements",
                              "add deformable = true, or remove bulk_damping_ratio");
     if (!material.deformable && entry.is_sound("poisson_ratio") && material.poisson_ratio.value_or(0) > laws::most_poisson_ratio)
-      context.problems.error(entry.place("poisson_ratio"),
-                             fmt::format("rigid elements can have a poisson_ratio of at most {}, found {}",
-                                         laws::most_poisson_ratio, *material.poisson_ratio),
-                             "add deformable = true, with which it may be up to 0.49");
+      context.problems.error(
+          entry.place("poisson_ratio"),
+          fmt::format("rigid elements can have a poisson_ratio of at most {}, found {}", laws::most_poisson_ratio,
+                      *material.poisson_ratio),
+          fmt::format("add deformable = true, with which it may be up to {}", laws::most_poisson_ratio_of_deformable));
   }
 }
 
