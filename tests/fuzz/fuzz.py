@@ -3,7 +3,9 @@
     python tests/fuzz/fuzz.py [--mutants N] [--seed S] [--only NAME]
 
 The corpus (corpus.py) has small cases, each with the files that it names. A mutant is one of them with some bytes, numbers, words or lines changed, by the seed
-and its number alone. A finding is an end by a signal, an internal error, more than TIME seconds of the processor, ten times that by the clock, or more memory than MEMORY; its files are kept in build/fuzz/NAME-NUMBER.
+and its number alone. Each is checked; one in RUN_EVERY is run, and stopped after RUN_TIME seconds. Besides, one in MESSAGE_EVERY is a message of a coupling (messages.py).
+A finding is an end by a signal, an internal error, more than TIME seconds of the processor, ten times that by the clock, or more memory than MEMORY; its files are kept
+in build/fuzz/NAME-NUMBER.
 """
 
 import argparse
@@ -19,12 +21,16 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+import messages
 from corpus import CORPUS, checkpoint_of
 
 ROOT = Path(__file__).resolve().parents[2]
 COMMAND = ROOT / "build/release/apps/sazare/sazare"
 FINDINGS = ROOT / "build/fuzz"
 TIME, MEMORY = 20, 6_000_000_000  # s, B of addresses
+RUN_EVERY, RUN_TIME = 10, 2  # s
+MESSAGE_EVERY = 50
+INTERRUPTED = 130
 NUMBERS = [
     "0", "-0", "-1", "1", "2", "7", "1e9", "1e18", "1e300", "-1e300", "1e-300", "nan", "inf", "-inf", "0x10", "1_000", "1,5", "2147483648",
     "9223372036854775807", "18446744073709551616", "99999999999999999999999999", "", "x", '"', "[", "]", "{", "}", "\n", "\t", ";", ",", "\r", "#",
@@ -79,23 +85,44 @@ def limited():
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
-def fault_of(folder, resumes):
-    """What is wrong with the answer to a case; None where it is a good one."""
-    arguments = ["run", "case.toml", "--out", "run", "--resume", "--quiet"] if resumes else ["check", "case.toml"]
-    try:
-        done = subprocess.run([COMMAND, *arguments, "--threads", "1"], cwd=folder, capture_output=True, timeout=10 * TIME, preexec_fn=limited)
-    except subprocess.TimeoutExpired:
-        return f"more than {10 * TIME} s by the clock"
+def ended(arguments, folder, stop_after=None):
+    """A program that has ended, as subprocess.run gives it; it is asked to stop after so many seconds. Raises TimeoutExpired."""
+    with subprocess.Popen(arguments, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, preexec_fn=limited) as program:
+        try:
+            try:
+                out, err = program.communicate(timeout=stop_after or 10 * TIME)
+            except subprocess.TimeoutExpired:
+                if stop_after is None:
+                    raise
+                program.terminate()
+                out, err = program.communicate(timeout=10 * TIME)
+        except subprocess.TimeoutExpired:
+            program.kill()
+            raise
+    return subprocess.CompletedProcess(arguments, program.returncode, out, err)
+
+
+def verdict(done):
+    """What is wrong with how a program has ended; None where its answer is a good one."""
     words = done.stderr.decode(errors="replace")
     if done.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
         return f"more than {TIME} s of the processor"
     if done.returncode < 0:
         return f"signal {-done.returncode}"
-    if done.returncode not in (0, 2, 3, 4) or "report it" in words or "terminate called" in words:
+    if done.returncode not in (0, 2, 3, 4, INTERRUPTED) or "report it" in words or "terminate called" in words:
         return f"exit code {done.returncode}: {words[-300:]}"
     if done.returncode and not words.strip():
         return f"exit code {done.returncode} without a word"
     return None
+
+
+def fault_of(folder, way):
+    """What is wrong with the answer to a case that is checked, run or resumed; None where it is a good one."""
+    arguments = {"check": ["check", "case.toml"], "run": ["run", "case.toml", "--out", "run"], "resume": ["run", "case.toml", "--out", "run", "--resume"]}[way]
+    try:
+        return verdict(ended([COMMAND, *arguments, *(["--quiet"] if way != "check" else []), "--threads", "1"], folder, None if way == "check" else RUN_TIME))
+    except subprocess.TimeoutExpired:
+        return f"more than {10 * TIME} s by the clock"
 
 
 def attempt(name, files, seed, number):
@@ -106,11 +133,19 @@ def attempt(name, files, seed, number):
             path = Path(place) / key
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_bytes(value)
-        fault = fault_of(place, "run/checkpoint/state.h5" in files)
+        way = "resume" if "run/checkpoint/state.h5" in files else "run" if number % RUN_EVERY == 0 else "check"
+        fault = fault_of(place, way)
         if fault:
             shutil.copytree(place, FINDINGS / f"{name}-{number}", dirs_exist_ok=True)
-            fault = f"{name}-{number} ({changed}): {fault}"
+            fault = f"{name}-{number} ({changed}, {way}): {fault}"
         return fault
+
+
+def attempt_message(seed, number):
+    """Tries one changed message; returns what is wrong, or None."""
+    chance = random.Random(f"{seed}-message-{number}")
+    fault = messages.attempt(COMMAND, number, lambda data: change(data, chance), verdict, limited)
+    return fault and f"message-{number}: {fault}"
 
 
 def main():
@@ -135,6 +170,8 @@ def main():
     tried, findings = 0, 0
     with ThreadPoolExecutor(chosen.jobs) as pool:
         work = [pool.submit(attempt, names[n % len(names)], corpus[names[n % len(names)]], chosen.seed, n) for n in range(chosen.mutants)]
+        if chosen.only in (None, "messages"):
+            work += [pool.submit(attempt_message, chosen.seed, n) for n in range(max(1, chosen.mutants // MESSAGE_EVERY))]
         try:
             for one in work:
                 fault = one.result()
@@ -145,7 +182,7 @@ def main():
                     print(f"{tried} of {chosen.mutants} tried", file=sys.stderr, flush=True)
         except KeyboardInterrupt:
             pool.shutdown(cancel_futures=True)
-    print(f"{tried} mutants of {len(names)} cases, seed {chosen.seed}: {findings} findings")
+    print(f"{tried} mutants of {len(names)} cases and the messages of a coupling, seed {chosen.seed}: {findings} findings")
     return 1 if findings else 0
 
 
