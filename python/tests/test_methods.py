@@ -53,6 +53,21 @@ def test_the_verdict_of_spheres_reads_the_energy_balance_and_the_step(empty, res
     assert ("gained energy" in sentence) == (load > 1.0)
 
 
+@pytest.mark.parametrize("residual, tone", [(0.05, "good"), (-0.5, "fair"), (10.0, "bad"), (-11.0, "bad"), (None, "bad")])
+@pytest.mark.parametrize("cause", ["gravity", "viscous", "boundary", "applied"])
+def test_the_verdict_of_mps_compares_the_residual_with_the_work_of_every_cause(empty, cause, residual, tone):
+    """The ground has come to rest, so that nothing is left of the work but the residual."""
+    results = {f"energy_work_{cause}": -100.0, "energy_kinetic": 1e-3, "energy_elastic": 0.0, "energy_residual": residual}
+    found, sentence = method_named("mps").verdict(empty({"method": "mps", "status": "done", "results": results}))
+    assert (found, "stability_fraction" in sentence) == (tone, tone != "good" and residual is not None)
+
+
+def test_the_verdict_of_mps_without_an_energy_balance_is_not_good(empty):
+    found, sentence = method_named("mps").verdict(
+        empty({"method": "mps", "status": "done", "results": {"step": 1e-3, "predicted_limit": 2e-3}}))
+    assert found == "fair" and "not available. The time step is 0.50" in sentence
+
+
 def test_a_method_is_found_by_the_manifest_then_by_the_case(empty):
     case = '[case]\nmethod = "mps"\n'
     assert method_of(empty({"method": "fem"}, case)) is method_named("fem")

@@ -268,7 +268,7 @@ def balance(figures):
     residual = figures.get("energy_residual")
     if residual is None:
         return None
-    work = sum(abs(figures.get(f"energy_{cause}") or 0.0) for cause in ("gravity", "boundary", "prescribed", "applied"))
+    work = sum(abs(figures.get(name) or 0.0) for name in WORKS)
     stored = abs(figures.get("energy_kinetic") or 0.0) + abs(figures.get("energy_elastic") or 0.0)
     reference = max(work, stored)
     return abs(residual) / reference if reference else None
@@ -277,14 +277,17 @@ def balance(figures):
 def verdict(results):
     """By the energy balance; the time step is compared with the stability limit."""
     share = balance(results.figures)
-    if share is not None and share > GOOD_BALANCE:
+    if share is None:
+        tone, words = common.missing_balance_verdict(results.figures)
+    elif share > GOOD_BALANCE:
         words = common.balance_words(share)
         if share <= common.BAD_BALANCE:
             return "fair", f"{words} It should be below {GOOD_BALANCE:.0e}: consider a smaller stability_fraction."
         return "bad", f"{words} This is too large for reliable results: use a smaller stability_fraction."
+    else:
+        tone, words = "good", common.balance_words(share)
     limit, step = results.figures.get("predicted_limit"), results.figures.get("step")
-    words = "The run is complete." if share is None else common.balance_words(share)
-    return "good", words + (f" The time step is {step / limit:.2f} of the predicted stability limit." if limit and step else "")
+    return tone, words + (f" The time step is {step / limit:.2f} of the predicted stability limit." if limit and step else "")
 
 
 METHOD = Method(
