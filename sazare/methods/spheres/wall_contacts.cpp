@@ -7,18 +7,6 @@
 
 namespace sazare::methods::spheres {
 
-namespace {
-
-constexpr Real same_direction = 0.9;  // cosine between the normals of one contact at two steps
-
-/// Bands of which only a part of the stretch is left.
-laws::SlipBands<Real> shared(laws::SlipBands<Real> bands, Real part) {
-  for (Vector3& stretch : bands.stretch) stretch *= part;
-  return bands;
-}
-
-}  // namespace
-
 WallContacts::WallContacts(ContactTable table, std::vector<Wall> walls, Real reach)
     : table_(std::move(table)), walls_(std::move(walls)), reach_(reach) {
   join_walls();
@@ -244,69 +232,6 @@ void WallContacts::touch_anew(const state::Spheres& spheres, Tile& tile) const {
     take_points(sphere, begin, {remembered, others}, tile);
   }
   if (table_.adheres()) note_parted(spheres, tile);
-}
-
-/// The touch before that faces most nearly as a point does; `again`: also one that goes on in another point.
-const WallContacts::Touch* WallContacts::like(const Point& point, std::span<const Touch> before, bool again) const {
-  const Touch* found = nullptr;
-  Real most = same_direction;
-  for (const Touch& one : before) {
-    const Index wall = one.wall < 0 ? ~one.wall : one.wall;
-    if ((one.wall < 0 && !again) || !(one.share > 0) || surface_of(wall) != surface_of(point.wall)) continue;
-    const Real along = one.normal.dot(point.normal);
-    if (!(along > most)) continue;
-    most = along;
-    found = &one;
-  }
-  return found;
-}
-
-/// By point of a sphere: the shares of all on its surface that face as it does.
-void WallContacts::add_up_shares(std::span<const Point> points, std::vector<Real>& shares) const {
-  shares.assign(points.size(), points.size() == 1 ? points.front().share : 0);
-  if (points.size() == 1) return;
-  for (std::size_t n = 0; n < points.size(); ++n)
-    for (const Point& one : points)
-      if (surface_of(one.wall) == surface_of(points[n].wall) && one.normal.dot(points[n].normal) > same_direction)
-        shares[n] += one.share;
-}
-
-/// The points of a sphere from a number on become touches, with what those `before` remember. One that begins beside another
-/// remembers the same, since it takes over from it; where more of them share a load than did, each remembers less. Across a gap
-/// only a touch that was there before remains.
-void WallContacts::take_points(Index sphere, std::size_t begin, std::span<Touch> before, Tile& tile) const {
-  thread_local std::vector<Real> shares;
-  std::vector<Point>& points = tile.points;
-  add_up_shares(std::span(points).subspan(begin), shares);
-  const bool slips_in_part = table_.slips_in_part();
-  std::size_t kept = begin;
-  for (std::size_t n = begin; n < points.size(); ++n) {
-    Point& point = points[n];
-    Touch touch{.sphere = sphere, .wall = point.wall, .normal = point.normal};
-    const Touch* old = nullptr;
-    Real part = 1;
-    point.before = point.normal;
-    if (point.share > 0) {
-      const Touch* const free = like(point, before, false);
-      old = free != nullptr ? free : like(point, before, true);
-      if (free == nullptr && !(point.overlap > 0)) continue;
-      touch.share = shares[n - begin];
-      if (old != nullptr) {
-        if (old->share < touch.share) part = old->share / touch.share;
-        touch.sliding = part * old->sliding;
-        touch.rolling = part * old->rolling;
-        touch.twisting = part * old->twisting;
-        point.before = old->normal;
-      }
-      if (free != nullptr) before[static_cast<std::size_t>(free - before.data())].wall = ~free->wall;  // goes on
-    }
-    tile.touches.push_back(touch);
-    if (slips_in_part)
-      tile.bands.push_back(old == nullptr ? Bands{}
-                                          : shared(tile.bands_before[static_cast<std::size_t>(old - tile.before.data())], part));
-    tile.points[kept++] = point;
-  }
-  tile.points.resize(kept);
 }
 
 /// Adds up the energy dissipated by touches that have ended. One that merges with a deeper one nearby counts the same.

@@ -103,7 +103,7 @@ public:
     Vector3 sliding = Vector3::Zero();  ///< [sqrt(J)], as the next two, see laws::ContactMemory; not used where there are bands
     Vector3 rolling = Vector3::Zero();
     Real twisting = 0;
-    Real share = 0;  ///< of all of the sphere that face this way, see FacetPoint; 0: remembers nothing
+    Real share = 0;  ///< see FacetPoint; 0: remembers nothing
   };
 
 private:
@@ -160,6 +160,17 @@ private:
     Index surface = 0;
     geometry::NearFacet facet;
   };
+  /// How the points of a sphere follow from its touches before.
+  struct Followed {
+    std::vector<const Touch*> own;  ///< that go on in them, by point
+    std::vector<Real> grown;        ///< share that a point has more than that, by point
+    std::vector<Real> lost;         ///< share that a touch before has no more, by touch
+  };
+  /// A part of what a touch before remembers.
+  struct Part {
+    const Touch* touch = nullptr;
+    Real weight = 0;
+  };
   /// How a surface moves where it is touched.
   struct Ground {
     Real arm = 0;  ///< from the sphere's centre [m]
@@ -185,8 +196,12 @@ private:
                   std::vector<Point>& points) const;
   void join_walls();
   void build(Surface& surface, std::span<const Index> planes);
-  const Touch* like(const Point& point, std::span<const Touch> before, bool again) const;
-  void add_up_shares(std::span<const Point> points, std::vector<Real>& shares) const;
+  const Touch* like(const Point& point, std::span<const Touch> before) const;
+  void follow(std::size_t begin, std::span<Touch> before, std::vector<Point>& points, Followed& followed) const;
+  void find_parts(std::size_t n, std::span<const Point> points, std::span<const Touch> before, const Followed& followed,
+                  std::vector<Part>& parts) const;
+  Bands bands_of(std::span<const Part> parts, std::span<const Touch> before, std::span<const Bands> bands,
+                 const Vector3& normal) const;
   Index surface_of(Index wall) const { return surface_of_[static_cast<std::size_t>(wall)]; }
   void touch_anew(const state::Spheres& spheres, Tile& tile) const;
   Kept kept_by(const Tile& tile) const;
