@@ -1,6 +1,7 @@
 #include "sazare/geometry/facets/points.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace sazare::geometry {
 
@@ -49,10 +50,26 @@ void FacetPoints::share_out(const View& view) {
     if (!(from.at.count < -nothing)) continue;
     const auto is_here = [&](const Seen& edge) { return edge.spot == static_cast<int>(n); };
     const auto edges = static_cast<Real>(std::ranges::count_if(edges_, is_here));
+    // What counts beside an edge may belong to a facet further away, where the one at the edge ends before it.
+    const auto beside = [&](Index facet) {
+      const int own = spot_of_facet(facet);
+      if (own < 0 || spots_[static_cast<std::size_t>(own)].at.count > nothing) return own;
+      const Vector3& there = spots_[static_cast<std::size_t>(own)].at.place;
+      int found = own;
+      Real least = std::numeric_limits<Real>::infinity();
+      for (std::size_t m = 0; m < spots_.size(); ++m) {
+        const FacetPoint& at = spots_[m].at;
+        const Real away = (at.place - there).squaredNorm();
+        if (!(at.count > nothing) || !((at.place - from.at.place).dot(there - from.at.place) > 0) || away >= least) continue;
+        least = away;
+        found = static_cast<int>(m);
+      }
+      return found;
+    };
     for (const Seen& edge : edges_) {
       if (!is_here(edge)) continue;
       const auto& facets = view.complex->edges()[static_cast<std::size_t>(edge.number)].facets;
-      take_off(view, from, -from.at.count / edges, spot_of_facet(facets[0]), spot_of_facet(facets[1]));
+      take_off(view, from, -from.at.count / edges, beside(facets[0]), beside(facets[1]));
     }
   }
 }

@@ -83,9 +83,9 @@ void WallContacts::follow(std::size_t begin, std::span<Touch> before, std::vecto
   points.resize(kept);
 }
 
-/// How much of each touch before a point remembers. It keeps its own, and where its share grows it takes over from those that face
-/// nearly as it does and whose shares fall: their mean, as far as they lose as much as these points gain. So the sum of shares
-/// times stretches remains while a load passes from one facet to the next, and the energy, being a square, does not grow.
+/// How much of each touch before a point remembers. It keeps its own, and where its share grows it takes over from those that
+/// face nearly as it does and whose shares fall: their mean, as far as they lose as much as these points gain. So the sum of
+/// shares times stretches remains while a load passes from one facet to the next, and the energy, being a square, does not grow.
 void WallContacts::find_parts(std::size_t n, std::span<const Point> points, std::span<const Touch> before,
                               const Followed& followed, std::vector<Part>& parts) const {
   parts.clear();
@@ -108,8 +108,8 @@ void WallContacts::find_parts(std::size_t n, std::span<const Point> points, std:
 }
 
 /// The bands of the largest part, with the others added.
-WallContacts::Bands WallContacts::bands_of(std::span<const Part> parts, std::span<const Touch> before, std::span<const Bands> bands,
-                                           const Vector3& normal) const {
+WallContacts::Bands WallContacts::bands_of(std::span<const Part> parts, std::span<const Touch> before,
+                                           std::span<const Bands> bands, const Vector3& normal) const {
   if (parts.empty()) return {};
   const auto in_plane = [&](const Part& part) {
     Bands found = bands[static_cast<std::size_t>(part.touch - before.data())];
@@ -130,10 +130,10 @@ void WallContacts::take_points(Index sphere, std::size_t begin, std::span<Touch>
   follow(begin, before, tile.points, followed);
   const auto points = std::span(tile.points).subspan(begin);
   const bool slips_in_part = table_.slips_in_part();
-  const auto bands_before = slips_in_part && !before.empty()
-                                ? std::span(tile.bands_before).subspan(static_cast<std::size_t>(before.data() - tile.before.data()),
-                                                                       before.size())
-                                : std::span<Bands>{};
+  const auto bands_before =
+      slips_in_part && !before.empty()
+          ? std::span(tile.bands_before).subspan(static_cast<std::size_t>(before.data() - tile.before.data()), before.size())
+          : std::span<Bands>{};
   for (std::size_t n = 0; n < points.size(); ++n) {
     const Point& point = points[n];
     Touch touch{.sphere = sphere, .wall = point.wall, .normal = point.normal};

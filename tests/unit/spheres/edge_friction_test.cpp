@@ -7,7 +7,8 @@
 namespace sazare::methods::spheres {
 namespace {
 
-constexpr Real radius = 0.01, gravity = 9.81, tilt = 20 * degree, mass = 2500 * 4 * std::numbers::pi / 3 * radius * radius * radius;
+constexpr Real radius = 0.01, gravity = 9.81, tilt = 20 * degree,
+               mass = 2500 * 4 * std::numbers::pi / 3 * radius * radius * radius;
 
 /// Two facets that are apart by an angle along x = 0, concave or convex.
 Wall crease(Real angle) {
@@ -24,18 +25,19 @@ struct Range {
   Real least = 1, most = 1;
 };
 
-/// Friction over what a ball needs to roll down without slip, 2/7 of its weight along the slope, while it passes the edge.
-Range friction_over_edge(Real angle, laws::ContactModel model) {
+/// Friction over what a ball needs to roll down without slip, 2/7 of its weight along the slope, while it passes the edge at a
+/// distance from its nearest end.
+Range friction_over_edge(Real angle, Real from_end, laws::ContactModel model) {
   const Real modulus = soft.youngs_modulus / (2 * (1 - soft.poisson_ratio * soft.poisson_ratio)),
              pressed = std::pow(mass * gravity * std::cos(tilt) / (4.0 / 3 * modulus * std::sqrt(radius)), 2.0 / 3), speed = 0.1;
-  auto stepper = make_stepper(
-      {{.centre = {-0.004, 0.013, radius - pressed}, .velocity = {speed, 0, 0}, .spin = {0, speed / radius, 0}}},
-      {.restitution = 0.3,
-       .friction = 0.6,
-       .step = 4e-6,
-       .gravity = gravity * Vector3(std::sin(tilt), 0, -std::cos(tilt)),
-       .model = model},
-      {crease(angle)});
+  auto stepper =
+      make_stepper({{.centre = {-0.004, from_end, radius - pressed}, .velocity = {speed, 0, 0}, .spin = {0, speed / radius, 0}}},
+                   {.restitution = 0.3,
+                    .friction = 0.6,
+                    .step = 4e-6,
+                    .gravity = gravity * Vector3(std::sin(tilt), 0, -std::cos(tilt)),
+                    .model = model},
+                   {crease(angle)});
   stepper.start();
   const Real needed = 2.0 / 7 * mass * gravity * std::sin(tilt);
   Range range;
@@ -50,11 +52,12 @@ Range friction_over_edge(Real angle, laws::ContactModel model) {
 
 TEST(edge_friction, holds_a_rolling_ball_over_shallow_edges) {
   for (const auto model : {laws::ContactModel::hertz, laws::ContactModel::mindlin_deresiewicz})
-    for (const Real angle : {0.05, 0.2, -0.2}) {
-      const Range range = friction_over_edge(angle * degree, model);
-      EXPECT_GT(range.least, 0.95) << angle << " degrees";
-      EXPECT_LT(range.most, 1.05) << angle << " degrees";
-    }
+    for (const Real angle : {0.05, 0.2, -0.2})
+      for (const Real from_end : {0.013, 1e-5}) {
+        const Range range = friction_over_edge(angle * degree, from_end, model);
+        EXPECT_GT(range.least, 0.95) << angle << " degrees, " << from_end << " m";
+        EXPECT_LT(range.most, 1.05) << angle << " degrees, " << from_end << " m";
+      }
 }
 
 }  // namespace
