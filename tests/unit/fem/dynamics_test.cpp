@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <numbers>
+#include <string>
 
+#include "sazare/core/error.hpp"
 #include "sazare/methods/fem/boundary_faces.hpp"
 #include "sazare/parallel/threads.hpp"
 #include "tests/support/element_boxes.hpp"
@@ -143,8 +146,8 @@ TEST(rayleigh, damps_a_mode_by_its_ratio) {
   EXPECT_NEAR(stepper.energy_residual(), 0, 1e-9 * stepper.work().gravity);
 }
 
-/// How far the top of a column in shear is behind its base, which has moved steadily for a while, and the share of the work that the
-/// energy balance leaves.
+/// How far the top of a column in shear is behind its base, which has moved steadily for a while, and the share of the work that
+/// the energy balance leaves.
 std::pair<Real, Real> behind_a_steady_base(bool relative, Real ratio, const laws::RayleighDamping& damping, Real speed) {
   const auto mesh = test::box(ElementShape::quadrilateral8, {{1, height, 1}, {1, 10, 1}, 0});
   Supports<2> supports;
@@ -217,6 +220,32 @@ TEST(statics, have_a_work_balance_that_closes) {
         EXPECT_NEAR(stepper.energy_residual(), 0, 1e-9 * stepper.elastic_energy())
             << "ramp " << ramp << ", weight " << with_weight << ", settled " << settles;
       }
+}
+
+/// What is wrong there is a number of the case, and no want of equilibrium.
+TEST(statics, and_dynamics_tell_of_forces_that_are_no_numbers) {
+  const auto mesh = test::box(ElementShape::triangle6, {{1, 2, 1}, {1, 2, 1}, 0.2});
+  for (const bool is_static : {true, false})
+    for (const Real traction : {1e200, std::numeric_limits<Real>::infinity()}) {
+      Supports<2> supports;
+      test::hold<2>(mesh, "bottom", 0, supports);
+      test::hold<2>(mesh, "bottom", 1, supports);
+      supports.loads = {{"push", test::traction(mesh, "top", {0, -traction, 0}), 0}};
+      FemRules rules;
+      rules.step = 1e-3;
+      rules.statics = is_static;
+      FemStepper<2> stepper(std::make_unique<Body<2>>(test::of_one_material(mesh, soil())), supports, rules);
+      try {
+        stepper.start();
+        for (int step = 0; step < 3; ++step) stepper.advance();
+        ADD_FAILURE() << traction;
+      } catch (const PhysicsError& error) {
+        const std::string words = error.what();
+        EXPECT_NE(words.find("the forces are infinite, or no numbers\n  a number of the case is too large"), std::string::npos)
+            << words;
+        EXPECT_EQ(words.find("unbalanced"), std::string::npos) << words;
+      }
+    }
 }
 
 std::vector<Real> final_state(int threads) {
