@@ -115,8 +115,9 @@ def parser():
 
 def main(arguments=None):
     """Runs the command; returns its exit code: 0 done, 2 an error of the user, 4 the machine, or Ctrl-C."""
-    chosen = parser().parse_args(arguments)
+    chosen = None
     try:
+        chosen = parser().parse_args(arguments)
         chosen.function(chosen)
         sys.stdout.flush()
     except KeyboardInterrupt:

@@ -35,5 +35,5 @@ def require_room(path, names, overwrite=False):
 def own(path):
     """A path to write to. Raises NotARun where it is a link: a folder may come from anyone, and what it leads to is not the run's."""
     if path.is_symlink():
-        raise NotARun(f"{path}: a link; numbers are written into the run's own folder: remove the link")
+        raise NotARun(f"{path}: a link; results are written into their own folder: remove the link")
     return path

@@ -1,11 +1,13 @@
 """The snapshots of a run as an animation."""
 
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 from matplotlib.colors import to_hex
 
 from sazare import style
+from sazare.folders import own
 from sazare.tables import NotARun
 from sazare.view3d import read_frames
 
@@ -86,10 +88,11 @@ def write_movie(results, path, field=None, factor=None, interval=0.15):
     factor: magnification of displacements; as in the 3-D view where it is None.
     interval: time for which each frame is shown [s].
 
-    Raises NotARun where there are no snapshots, ValueError where there is no such field.
+    Raises NotARun where there are no snapshots or `path` is a link, ValueError where there is no such field.
     """
     from sazare.scenes import Layer, render
 
+    own(Path(path))
     frames = read_frames(results)
     if frames is None or not frames.fields:
         raise NotARun(f"{results.path}: the run wrote no snapshots that can be drawn")

@@ -6,10 +6,11 @@ from pathlib import Path
 import jinja2
 
 from sazare import style, view3d
+from sazare.folders import own
 from sazare.methods import method_of
 from sazare.results import open_run
 from sazare.summary import headlines, verdict
-from sazare.tables import NotARun, write_table
+from sazare.tables import write_table
 
 MOST_FRAGMENTS = 10
 
@@ -91,7 +92,8 @@ def sections_of(results):
 
 def write_pictures(path, names, folder):
     """Writes the named pictures of a run's report as PNG into a folder; yields their paths. Without names, yields a line for each
-    picture there is. Raises NotARun where `path` is no run, ValueError for a picture that there is not or that has no data."""
+    picture there is. Raises NotARun where `path` is no run or a picture would be written through a link, ValueError for a picture
+    that there is not or that has no data."""
     sections = {section.name: section for section in sections_of(open_run(path))}
     if not names:
         width = max(map(len, sections), default=0) + 2
@@ -105,16 +107,9 @@ def write_pictures(path, names, folder):
         figure = sections[name].draw()
         if figure is None:
             raise ValueError(f"no picture {name} of this run: {sections[name].missing}")
-        target = Path(folder) / f"{name}.png"
+        target = own(Path(folder) / f"{name}.png")
         style.save(figure, target)
         yield target
-
-
-def _own(path):
-    """A path to write to. Raises NotARun where it is a link: a folder may come from anyone, and what it leads to is not the run's."""
-    if path.is_symlink():
-        raise NotARun(f"{path}: a link; the report is written into the run's own folder: remove the link")
-    return path
 
 
 def write_report(path):
@@ -123,13 +118,13 @@ def write_report(path):
     Raises NotARun where DIR is no run, or where it has links in the places of the report.
     """
     results = open_run(path)
-    folder, page = _own(results.path / "report"), _own(results.path / "report.html")
+    folder, page = own(results.path / "report"), own(results.path / "report.html")
     folder.mkdir(exist_ok=True)
     for old in folder.glob("*.png"):
         old.unlink()
     sections = [_drawn(section, folder) for section in sections_of(results)]
     for name, columns in method_of(results).tables(results).items():
-        target = _own(results.path / name)
+        target = own(results.path / name)
         if columns:
             write_table(target, columns)
     page.write_text(_page(results, sections), encoding="utf-8")

@@ -1,6 +1,7 @@
 """Reading the folder of a run: manifest, tables, gauges and snapshots."""
 
 import json
+import sys
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -8,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from sazare.snapshots import Snapshots, kinds_in, read_snapshots
-from sazare.tables import NotARun, Table, read_table
+from sazare.tables import NotARun, Table, is_there, read_table
 
 
 @dataclass(frozen=True)
@@ -47,7 +48,7 @@ class Results:
     def manifest(self):
         """manifest.json as a dict; empty while a run has not written one."""
         path = self.path / "manifest.json"
-        if not path.exists():
+        if not is_there(path):
             return {}
         try:
             found = json.loads(path.read_text(encoding="utf-8"))
@@ -70,11 +71,14 @@ class Results:
     def case_text(self):
         """The resolved case, as text; "" where there is none."""
         path = self.path / "case.toml"
-        return path.read_text(encoding="utf-8") if path.exists() else ""
+        try:
+            return path.read_text(encoding="utf-8") if is_there(path) else ""
+        except UnicodeDecodeError as error:
+            raise NotARun(f"{path}: not the text of a case: {error}") from error
 
     def _table(self, name):
         path = self.path / name
-        return read_table(path) if path.exists() else Table({})
+        return read_table(path) if is_there(path) else Table({}, name=str(path))
 
     @cached_property
     def history(self):
@@ -210,9 +214,14 @@ def _check_manifest(path, manifest):
         if key in manifest and not isinstance(manifest[key], kind):
             raise NotARun(f"{path}: \"{key}\" must be {'an object' if kind is dict else 'a string'}, found {json.dumps(manifest[key])[:80]}")
     for name, value in manifest.get("results", {}).items():
-        values = value.values() if isinstance(value, dict) else [value]
-        if not all(isinstance(item, int | float | str) or item is None for item in values):
-            raise NotARun(f"{path}: the figure \"{name}\" is neither a number nor a word: {json.dumps(value)[:80]}")
+        is_by_gauge = name == "ppv" and isinstance(value, dict)
+        if not all(map(_is_figure, value.values() if is_by_gauge else [value])):
+            raise NotARun(f"{path}: the figure \"{name}\" is not a number: {json.dumps(value)[:80]}")
+
+
+def _is_figure(value):
+    """Whether a value of a manifest is a number that a computation can take; a run writes null where it is not finite."""
+    return value is None or (isinstance(value, int | float) and not isinstance(value, bool) and abs(value) <= sys.float_info.max)
 
 
 def _check_is_run(path):

@@ -4,6 +4,7 @@ A folder may come from anyone. So no other format is read, and no name leads out
 """
 
 import json
+import math
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
-from sazare.tables import NotARun
+from sazare.tables import NotARun, is_there
 
 HDF5_SIGNATURE = b"\x89HDF\r\n\x1a\n"
 MOST_EXPANSION = 100  # of what a file holds; runs write numbers as they are
@@ -126,8 +127,8 @@ def read_snapshots(folder, kind):
     if not folder.is_dir():
         return Snapshots([])
     series = folder / f"{kind}.vtkhdf.series"
-    files = _listed(series) if series.exists() else _found(folder, kind)
-    return Snapshots(_snapshot(folder, name, time) for name, time in files if (folder / name).exists())
+    files = _listed(series) if is_there(series) else _found(folder, kind)
+    return Snapshots(_snapshot(folder, name, time) for name, time in files if is_there(folder / name))
 
 
 def _listed(series):
@@ -136,9 +137,11 @@ def _listed(series):
         files = [(entry["name"], float(entry["time"])) for entry in json.loads(series.read_text(encoding="utf-8"))["files"]]
     except (ValueError, KeyError, TypeError) as error:
         raise NotARun(f"{series}: not a list of snapshots: {error}") from error
-    for name, _ in files:
+    for name, time in files:
         if not isinstance(name, str) or not FILE_NAME.fullmatch(name):
             raise NotARun(f"{series}: {name!r} is not a snapshot: only .vtkhdf files beside the list are read")
+        if not math.isfinite(time):
+            raise NotARun(f"{series}: {name} has no time: {time}")
     return files
 
 
@@ -155,7 +158,7 @@ def _time_in(path):
 
 def _snapshot(folder, name, time):
     joints = name.replace("elements_", "joints_", 1) if name.startswith("elements_") else None
-    has_joints = joints is not None and (folder / joints).exists()
+    has_joints = joints is not None and is_there(folder / joints)
     return Snapshot(time, _inside(folder, name), _inside(folder, joints) if has_joints else None)
 
 

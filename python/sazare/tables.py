@@ -23,16 +23,17 @@ class NoColumn(NotARun, KeyError):
 class Table(Mapping):
     """The columns of a CSV file by name, in the file's order; units are apart.
 
-    table["time"] is an array (n,) of float, or of str for a column of words; table.unit("time") is "s".
+    table["time"] is an array (n,) of float, or of str for a column of words; table.unit("time") is "s". `name` stands in messages.
     """
 
-    def __init__(self, columns, units=None):
+    def __init__(self, columns, units=None, name="a table of the run"):
         self._columns = dict(columns)
         self._units = dict(units or {})
+        self._name = name
 
     def __getitem__(self, name):
         if name not in self._columns:
-            raise NoColumn(f"a table of the run has no column {name!r}; it has: {', '.join(self._columns) or 'none'}")
+            raise NoColumn(f"{self._name} has no column {name!r}; it has: {', '.join(self._columns) or 'none'}")
         return self._columns[name]
 
     def __iter__(self):
@@ -62,6 +63,13 @@ class Table(Mapping):
         return frame
 
 
+def is_there(path):
+    """Whether a file of a run is there. Raises NotARun where something else has its name: to read a pipe would be to wait for ever."""
+    if path.exists() and not path.is_file():
+        raise NotARun(f"{path}: not a file, and a run writes one")
+    return path.exists()
+
+
 def read_table(path):
     """A CSV file whose header has names with units in brackets, such as `time [s]`. Raises NotARun for a damaged file."""
     with path.open(newline="", encoding="utf-8") as file:
@@ -81,7 +89,10 @@ def read_table(path):
         if len(row) != len(names):
             raise NotARun(f"{path}:{number}: {len(row)} values where the header names {len(names)} columns")
     columns = {name: _column(cells) for name, cells in zip(names, zip(*body) if body else [()] * len(names))}
-    return Table(columns, {head["name"]: head["unit"] or "" for head in heads})
+    for head in heads:
+        if head["unit"] not in (None, "", "-") and columns[head["name"]].dtype.kind == "U":
+            raise NotARun(f"{path}: the column {head['name']!r} has words, and numbers in {head['unit']} were expected")
+    return Table(columns, {head["name"]: head["unit"] or "" for head in heads}, str(path))
 
 
 def write_table(path, columns):

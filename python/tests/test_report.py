@@ -103,9 +103,20 @@ def test_nothing_is_written_through_a_link(tmp_path, name):
     (run / "manifest.json").write_text("{}")
     (outside / "kept.png").write_text("a picture of someone's own")
     (run / name).symlink_to(outside if name == "report" else outside / "kept.png")
-    with pytest.raises(sazare.NotARun, match="a link; the report is written into the run's own folder"):
+    with pytest.raises(sazare.NotARun, match="a link; results are written into their own folder"):
         write_report(run)
     assert (outside / "kept.png").read_text() == "a picture of someone's own"
+
+
+@pytest.mark.parametrize("command, name", [(["movie"], "movie.gif"), (["plot", "energy", "--out"], "energy.png")])
+def test_movies_and_pictures_are_not_written_through_a_link(slab, tmp_path, command, name, capsys):
+    copy = shutil.copytree(slab, tmp_path / "run")
+    (tmp_path / "kept").write_text("someone's own")
+    (copy / name).symlink_to(tmp_path / "kept")
+    words = [command[0], str(copy), *command[1:], *([str(copy)] if "--out" in command else [])]
+    assert main(words) == 2
+    assert f"{name}: a link" in capsys.readouterr().err
+    assert (tmp_path / "kept").read_text() == "someone's own"
 
 
 def test_old_pictures_do_not_stay(reported):

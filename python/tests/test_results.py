@@ -1,6 +1,7 @@
 """Reading the folder of a run."""
 
 import json
+import os
 import shutil
 
 import numpy as np
@@ -171,7 +172,12 @@ def test_snapshots_are_found_whatever_the_method(slab):
 
 
 @pytest.mark.parametrize(
-    "manifest", ["[]", '"text"', '{"results": 3}', '{"machine": []}', '{"case": 7}', '{"status": {}}', '{"results": {"steps": [1]}}', "[" * 100000]
+    "manifest",
+    [
+        "[]", '"text"', '{"results": 3}', '{"machine": []}', '{"case": 7}', '{"status": {}}', '{"results": {"steps": [1]}}', "[" * 100000,
+        '{"results": {"steps": "many"}}', '{"results": {"steps": {}}}', '{"results": {"steps": true}}', '{"results": {"ppv": 3e0, "steps": {"a": 1}}}',
+        '{"results": {"ppv": {"G1": "fast"}}}', '{"results": {"energy_work": NaN}}', '{"results": {"steps": 1' + 400 * "0" + "}}",
+    ],
 )
 def test_a_manifest_of_other_kinds_is_told_of(manifest, tmp_path):
     (tmp_path / "manifest.json").write_text(manifest)
@@ -182,9 +188,33 @@ def test_a_manifest_of_other_kinds_is_told_of(manifest, tmp_path):
 def test_a_table_without_a_column_is_told_of(tmp_path):
     (tmp_path / "history.csv").write_text("time [s]\n0\n")
     history = sazare.open(tmp_path).history
-    with pytest.raises(sazare.NotARun, match="no column 'energy_work'; it has: time"):
+    with pytest.raises(sazare.NotARun, match="history.csv has no column 'energy_work'; it has: time"):
         history["energy_work"]
     assert "energy_work" not in history and history.get("energy_work") is None
+
+
+def test_a_table_with_words_for_numbers_is_told_of(tmp_path):
+    (tmp_path / "history.csv").write_text("time [s],energy_work [J]\n0,1\n1,much\n")
+    with pytest.raises(sazare.NotARun, match="history.csv: the column 'energy_work' has words, and numbers in J were expected"):
+        sazare.open(tmp_path).history
+
+
+@pytest.mark.parametrize("name", ["manifest.json", "case.toml", "history.csv", "snapshots/particles.vtkhdf.series", "snapshots/particles_00000.vtkhdf"])
+def test_a_pipe_in_the_place_of_a_file_is_told_of(tmp_path, name):
+    (tmp_path / "snapshots").mkdir()
+    if name.endswith("00000.vtkhdf"):
+        (tmp_path / "snapshots" / "particles.vtkhdf.series").write_text('{"files": [{"name": "particles_00000.vtkhdf", "time": 0}]}')
+    os.mkfifo(tmp_path / name)
+    run = sazare.open(tmp_path)
+    with pytest.raises(sazare.NotARun, match=f"{name}: not a file"):
+        run.manifest, run.case_text, run.history, run.particle_snapshots
+
+
+def test_a_list_of_snapshots_has_times(tmp_path):
+    (tmp_path / "snapshots").mkdir()
+    (tmp_path / "snapshots" / "particles.vtkhdf.series").write_text('{"files": [{"name": "particles_00000.vtkhdf", "time": NaN}]}')
+    with pytest.raises(sazare.NotARun, match="has no time"):
+        sazare.open(tmp_path).particle_snapshots
 
 
 def test_a_table_that_is_no_text_is_told_of(tmp_path):
