@@ -1,12 +1,50 @@
 """The compiled engine, `sazare._engine`, loaded on first use."""
 
+import atexit
 import os
 import sys
+import threading
 from contextlib import contextmanager
 from functools import cache
 
 
 _process = None  # that has loaded the engine
+_work = threading.Condition()
+_threads_at_work = 0
+_is_ending = False
+
+
+@contextmanager
+def at_work():
+    """While the engine computes without the lock of the interpreter, whose end waits for it: a daemon thread that came back to none would abort the process.
+
+    Raises SystemExit in a thread where the interpreter has begun to end.
+    """
+    global _threads_at_work
+    with _work:
+        leave_if_ending()
+        _threads_at_work += 1
+    try:
+        yield
+    finally:
+        with _work:
+            _threads_at_work -= 1
+            _work.notify_all()
+
+
+def leave_if_ending():
+    """Raises SystemExit in a thread other than the main one where the interpreter has begun to end."""
+    if _is_ending and threading.current_thread() is not threading.main_thread():
+        raise SystemExit
+
+
+def _wait_for_work():
+    global _is_ending
+    if _process != os.getpid():
+        return
+    with _work:
+        _is_ending = True
+        _work.wait_for(lambda: _threads_at_work == 0)
 
 
 def refuse_after_fork():
@@ -34,6 +72,7 @@ def engine():
         ) from error
     global _process
     _process = os.getpid()
+    atexit.register(_wait_for_work)
     for name in ("UserError", "PhysicsError", "MachineError"):
         getattr(_engine, name).__module__ = "sazare"
     return _engine

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from sazare.cases import Case, toml_value
-from sazare.engine import engine, refuse_after_fork
+from sazare.engine import at_work, engine, leave_if_ending, refuse_after_fork
 from sazare.histories import histories_of
 from sazare.progress import ProgressLine
 from sazare.results import open_run
@@ -37,7 +37,8 @@ class Source:
 
     def resolved(self):
         """The case as TOML with every key and default. Raises UserError with all that is wrong."""
-        return engine().resolved(self.for_engine())
+        with at_work():
+            return engine().resolved(self.for_engine())
 
 
 def source_of(case, overrides=None, folder=None):
@@ -62,7 +63,9 @@ def check(case, *, overrides=None, folder=None):
 
     Raises UserError with all errors of the case.
     """
-    return engine().check(source_of(case, overrides, folder).for_engine())
+    source = source_of(case, overrides, folder)
+    with at_work():
+        return engine().check(source.for_engine())
 
 
 def run(
@@ -141,14 +144,15 @@ class Simulation:
         self._temporary = temporary
         self._progress = progress
         self._calls = []  # (next step, steps between or 0, function)
-        self._live = engine().LiveSimulation(source.for_engine(), path, begin, threads, warns=warns)
+        with at_work():
+            self._live = engine().LiveSimulation(source.for_engine(), path, begin, threads, warns=warns)
         self._histories = histories_of(self._live, functions or {})
         self._forces = forces
         if forces is not None:
             self._live.require_forces()
         try:
             self._prepare(0)
-            self._live.begin()
+            self._compute(self._live.begin)
         except KeyboardInterrupt:
             self.stop()
             raise
@@ -259,7 +263,8 @@ class Simulation:
 
         Does nothing where the run has ended. The arrays remain valid.
         """
-        self._live.finish()
+        with at_work():
+            self._live.finish()
 
     def _step_at(self, time):
         return min(self.steps, math.ceil(time / self.end * self.steps - 1e-6))
@@ -270,7 +275,7 @@ class Simulation:
                 while self.step < until:
                     target = self._next_pause(until, stop)
                     self._prepare(target)
-                    self._live.walk(target, GLANCE)
+                    self._compute(self._live.walk, target, GLANCE)
                     line.show(self._live.progress_text)
                     if self._call_what_is_due() or (stop is not None and stop(self)):
                         break
@@ -280,6 +285,16 @@ class Simulation:
         if self.is_over:
             self.stop()
         return self.time
+
+    def _compute(self, function, *arguments):
+        """Lets the engine compute. Where the interpreter ends meanwhile, a daemon thread leaves the run stopped, with a checkpoint."""
+        with at_work():
+            function(*arguments)
+            try:
+                leave_if_ending()
+            except SystemExit:
+                self._live.finish()
+                raise
 
     def _next_pause(self, until, stop):
         """The next step at which Python has something to do."""

@@ -100,6 +100,14 @@ def test_a_misspelt_key_is_refused():
     assert case.to_dict()["particles"]["spacing"] == 0.25
 
 
+@pytest.mark.parametrize("name, value, words", [("time", 5, "time cannot be 5: write a Time"), ("gauges", ["top"], "gauges cannot be 'top': write a Gauge")])
+def test_a_table_that_is_none_is_told_of(name, value, words):
+    case = read_case(ROOT / "cases/column-ricker/case.toml")
+    setattr(case, name, value)
+    with pytest.raises(TypeError, match=words):
+        case.to_toml()
+
+
 @pytest.mark.parametrize("title", ["a\x7fb", 'quotes " and \\', "tab\tand\nline", "\u2028 \x00 \x1f", "震動 𝄞"])
 def test_a_title_of_any_characters_is_read_back(title):
     case = read_case(ROOT / "cases/column-ricker/case.toml")

@@ -338,3 +338,20 @@ def test_the_advice_to_resume_can_be_pasted(tmp_path):
     _, errors = process.communicate(timeout=60)
     if process.returncode == 4:
         assert "'\\''s a run'" in errors
+
+
+def test_the_end_of_the_interpreter_waits_for_a_run_in_a_daemon_thread(tmp_path):
+    code = f"""
+import sazare, threading, time
+def run():
+    sazare.run({str(BLOCK)!r}, {str(tmp_path / "run")!r}, overrides={{"time.end": 4e-1}}, progress=False)
+threading.Thread(target=run, daemon=True).start()
+while not list(__import__("pathlib").Path({str(tmp_path)!r}).glob("run/history.csv")):
+    time.sleep(0.05)
+time.sleep(0.5)
+"""
+    process = python(code)
+    _, errors = process.communicate(timeout=120)
+    assert process.returncode == 0, errors
+    assert "terminate" not in errors
+    assert sazare.open(tmp_path / "run").manifest["status"] == "stopped"

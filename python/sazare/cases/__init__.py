@@ -107,6 +107,8 @@ class Case(_Strict):
         blocks = []
         for name, value in self.to_dict().items():
             for part in value if isinstance(value, list) else [value]:
+                if not isinstance(part, dict):
+                    raise TypeError(f"{name} cannot be {part!r}: write a {self.tables[name].__name__}, as in {type(self).__module__}.{self.tables[name].__name__}(...)")
                 head = f"[[{name}]]" if isinstance(value, list) else f"[{name}]"
                 blocks.append("\n".join([head, *(f"{key} = {toml_value(item)}" for key, item in part.items())]))
         return "\n\n".join(blocks) + "\n"
