@@ -89,6 +89,7 @@ def gauges(results):
         axes.margins(x=0)
     rows[0].legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=4, borderaxespad=0.2)
     rows[-1].set_xlabel(f"time [{prefix}s]")
+    style.tell_left_out(figure, list(results.gauges), MOST_GAUGES, "gauges.csv")
     return figure
 
 
@@ -106,11 +107,12 @@ def boundary_forces(results):
         return None
     time, time_label = time_axis(history)
     ranges = {name: np.ptp(history[name]) for name in names}
-    names = sorted((name for name in names if ranges[name] > LEAST_FORCE * max(ranges.values())), key=lambda name: -ranges[name])[:MOST_FORCES]
+    names = sorted((name for name in names if ranges[name] > LEAST_FORCE * max(ranges.values())), key=lambda name: -ranges[name])
     factor, prefix = style.prefix_for(max(np.abs(history[name]).max() for name in names))
     figure = style.figure(6.2, 3.6)
     axes = figure.subplots()
-    for name in names:
+    style.tell_left_out(figure, names, MOST_FORCES, "history.csv")
+    for name in names[:MOST_FORCES]:
         group, axis = name[:-2].removesuffix(".force"), name[-1]
         axes.plot(time, history[name] / factor, linewidth=1.1, label=f"{group} along {axis}")
     axes.set_xlabel(time_label)

@@ -51,6 +51,7 @@ def accelerations(results):
         axes.margins(x=0)
     rows[len(rows) // 2].set_ylabel(f"acceleration along {AXES[axis]} [m/s²]")
     rows[-1].set_xlabel("time [s]")
+    style.tell_left_out(figure, list(results.gauges), MOST_GAUGES, "gauges.csv")
     return figure
 
 
@@ -81,8 +82,9 @@ def spectra(results):
     return figure
 
 
-def _coloured(motions):
-    """Gauges, as many as can be told apart, each with its colour."""
+def _coloured(motions, figure):
+    """Gauges, as many as can be told apart, each with its colour; of the others the figure tells."""
+    style.tell_left_out(figure, [motion.name for motion in motions], MOST_GAUGES, "ground_motion.csv")
     return list(zip(motions[:MOST_GAUGES], COLOURS * 2))
 
 
@@ -105,7 +107,7 @@ def response_spectra(results):
 
     below = spectrum_of(base)
     strong = below > 1e-3 * below.max()  # elsewhere the ratio says nothing
-    for motion, colour in _coloured(motions):
+    for motion, colour in _coloured(motions, figure):
         own = spectrum_of(motion)
         left.semilogx(periods, own, color=colour, linewidth=1.1, label=motion.name)
         if motion is not base:
@@ -130,7 +132,7 @@ def husid_curves(results):
     axis = main_axis(results)
     figure = style.figure(6.2, 3.4)
     axes = figure.subplots()
-    for motion, colour in _coloured(motions):
+    for motion, colour in _coloured(motions, figure):
         record = motion.record(axis)
         whole = arias_intensity(record)
         axes.plot(motion.time, whole * husid(record), color=colour, linewidth=1.2, label=f"{motion.name}: {whole:.3g} m/s")
@@ -180,7 +182,7 @@ def relative_displacements(results):
     factor, prefix = style.prefix_of(*moved[:MOST_GAUGES])
     figure = style.figure(9.0, 3.6)
     axes = figure.subplots()
-    for (motion, colour), values in zip(_coloured(others), moved):
+    for (motion, colour), values in zip(_coloured(others, figure), moved):
         axes.plot(motion.time, values / factor, color=colour, linewidth=1.0, label=f"{motion.name}: {_remains(motion, base, axis)}")
     axes.set(xlabel="time [s]", ylabel=f"displacement along {AXES[axis]} less that of {base.name} [{prefix}m]")
     axes.margins(x=0)

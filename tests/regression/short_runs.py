@@ -202,6 +202,15 @@ def read_results(folder, outcome, study):
         outcome.failure = "the program has left no results"
 
 
+def words_of_refusal(program, folder):
+    """What a program says of the resolved cases that it has written into a folder, where it refuses to read one again; else nothing."""
+    for file in sorted(folder.rglob("case.toml")):
+        checked = subprocess.run([str(program), "check", str(file)], capture_output=True, text=True, check=False)
+        if checked.returncode:
+            return f"the resolved case {file.relative_to(folder)} is refused: {last_words(checked.stdout + checked.stderr)}"
+    return ""
+
+
 def processor_seconds():
     """Processor time of all programs that have ended."""
     usage = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -220,5 +229,7 @@ def outcome_of(program, name, cases, threads):
             outcome.failure = str(refusal)
         if not outcome.failure:
             read_results(folder / "run", outcome, bool(run.study_values))
+        if not outcome.failure:
+            outcome.failure = words_of_refusal(program, folder / "run")
     outcome.seconds = round(processor_seconds() - before, 1)
     return outcome

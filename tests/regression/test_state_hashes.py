@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from conftest import PROGRAM, ROOT
-from short_runs import RUNS, case_path
+from short_runs import RUNS, case_path, words_of_refusal
 
 SCRIPT = Path(__file__).parent / "state_hashes.py"
 SAME, DIFFERENT, REFUSED = 0, 1, 2
@@ -15,6 +15,7 @@ PRETENDER = """#!{python}
 import json, pathlib, sys
 if sys.argv[1] == "--version": print("sazare {version}")
 elif sys.argv[1] == "info": print("compiler  none")
+elif sys.argv[1] == "check": sys.exit(0 if "good" in open(sys.argv[2]).read() else "error: no such key")
 elif {fails}: sys.exit("error: nothing works")
 else:
     folder = pathlib.Path(sys.argv[sys.argv.index("--out") + 1])
@@ -150,3 +151,12 @@ def test_what_cannot_be_done_is_refused(pretender, words, message):
     done = script(pretender("one"), *words)
     assert done.returncode == REFUSED
     assert message in done.stderr
+
+
+def test_a_resolved_case_that_its_own_program_refuses_is_a_failure(pretender, tmp_path):
+    program = pretender("program")
+    (tmp_path / "run" / "bodies").mkdir(parents=True)
+    (tmp_path / "run" / "case.toml").write_text("good = 1")
+    assert words_of_refusal(program, tmp_path / "run") == ""
+    (tmp_path / "run" / "bodies" / "case.toml").write_text("bad = 1")
+    assert words_of_refusal(program, tmp_path / "run") == "the resolved case bodies/case.toml is refused: error: no such key"

@@ -174,12 +174,14 @@ def joints(results):
 def members(results):
     """Largest tension and compression of each member [N], and its largest bending moment [N m], against time."""
     history = results.history
-    names = [name.removesuffix(".axial_force_max") for name in history if name.endswith(".axial_force_max")][:MOST_JOINTS]
-    if not names or history.rows < 2:
+    found = [name.removesuffix(".axial_force_max") for name in history if name.endswith(".axial_force_max")]
+    if not found or history.rows < 2:
         return None
+    names = found[:MOST_JOINTS]
     bent = [name for name in names if np.any(history[f"{name}.moment_max"] != 0.0)]
     time, time_label = plot.time_axis(history)
     figure = style.figure(9.0, 3.4)
+    style.tell_left_out(figure, found, MOST_JOINTS, "history.csv")
     panels = figure.subplots(1, 2 if bent else 1, squeeze=False)[0]
     factor, prefix = style.prefix_of(*(history[f"{name}.axial_force_{end}"] for name in names for end in ("min", "max")))
     for name in names:
@@ -212,6 +214,7 @@ def displacements(results):
     factor, prefix = style.prefix_for(max(peaks))
     figure = style.figure(6.2, 3.4)
     axes = figure.subplots()
+    style.tell_left_out(figure, names, MOST_JOINTS, "gauges.csv")
     for name in names[:MOST_JOINTS]:
         axes.plot(time, table[f"{name}.displacement_{axis}"] / factor, linewidth=1.1, label=name)
     axes.set_xlabel(time_label)
@@ -234,6 +237,7 @@ def pore_pressures(results):
     factor, prefix = style.prefix_of(*(table[name + suffix] for name in names))
     figure = style.figure(6.2, 3.4)
     axes = figure.subplots()
+    style.tell_left_out(figure, names, MOST_JOINTS, "gauges.csv")
     for name in names[:MOST_JOINTS]:
         axes.plot(time, table[name + suffix] / factor, linewidth=1.1, label=name)
     axes.set_xlabel(time_label)

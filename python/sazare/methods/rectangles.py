@@ -150,6 +150,7 @@ def gauges(results):
     for axes in (left, right):
         axes.set_xlabel(time_label)
         axes.margins(x=0)
+    style.tell_left_out(figure, list(results.gauges), MOST_GAUGES, "gauges.csv")
     return figure
 
 

@@ -219,6 +219,7 @@ def groups(results):
         left.margins(x=0)
     for axes in rows[-1]:
         axes.set_xlabel(time_label)
+    style.tell_left_out(figure, list(results.gauges), MOST_CURVES, "gauges.csv")
     return figure
 
 
@@ -226,13 +227,14 @@ def groups(results):
 def walls(results):
     """Force [N] of the spheres on each wall along the axis on which it is largest, against time."""
     table = results.wall_table
-    names = [column.removesuffix(".force_x") for column in table if column.endswith(".force_x")][:MOST_CURVES]
+    names = [column.removesuffix(".force_x") for column in table if column.endswith(".force_x")]
     if not names or table.rows < 2:
         return None
     time, time_label = plot.time_axis(table)
     figure = style.figure(9.0, 3.4)
     axes = figure.subplots()
-    forces = {name: np.stack([table[f"{name}.force_{axis}"] for axis in AXES], axis=1) for name in names}
+    style.tell_left_out(figure, names, MOST_CURVES, "walls.csv")
+    forces = {name: np.stack([table[f"{name}.force_{axis}"] for axis in AXES], axis=1) for name in names[:MOST_CURVES]}
     factor, prefix = style.prefix_of(*forces.values())
     for name, force in forces.items():
         axis = int(np.argmax(np.abs(force).max(axis=0)))
