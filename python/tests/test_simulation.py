@@ -313,6 +313,12 @@ def test_a_full_disk_behind_the_standard_output_is_an_error(tmp_path):
     assert done.returncode == 4 and "standard output cannot be written" in done.stderr
 
 
+def test_a_full_disk_behind_the_help_of_a_python_command_is_an_error():
+    with open("/dev/full", "w") as full:
+        done = subprocess.run([sys.executable, "-m", "sazare", "motion", "--help"], stdout=full, stderr=subprocess.PIPE, text=True, env={**os.environ, "PYTHONPATH": str(ROOT / "python")})
+    assert done.returncode == 4 and "Traceback" not in done.stderr
+
+
 def test_a_missing_folder_for_temporary_files_is_told_of(tmp_path):
     done = subprocess.run([COMMAND, "check", BLOCK], capture_output=True, text=True, env={**os.environ, "TMPDIR": str(tmp_path / "none")})
     assert done.returncode == 4 and "set TMPDIR to a folder that is there" in done.stderr
