@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <fstream>
-#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -22,6 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t most_characters = 64'000'000;
+
 std::string read_text(const fs::path& path) {
   std::error_code failure;
   if (fs::is_directory(path, failure))
@@ -30,12 +32,17 @@ std::string read_text(const fs::path& path) {
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   const int error = errno;
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (!stream)
+  std::string text;
+  std::array<char, 65536> part{};
+  while (text.size() <= most_characters && (stream.read(part.data(), part.size()) || stream.gcount() > 0))
+    text.append(part.data(), static_cast<std::size_t>(stream.gcount()));
+  if (text.size() > most_characters)
+    throw UserError(fmt::format("{} has more than {} million characters, and so is no case file", path.string(),
+                                most_characters / 1'000'000));
+  if (!stream.eof())
     throw UserError(fmt::format("cannot read the case file {}: {}", path.string(),
                                 error == 0 || error == ENOENT ? "is the path right?" : std::generic_category().message(error)));
-  return text.str();
+  return text;
 }
 
 /// Whether a setting is one of a side's case.

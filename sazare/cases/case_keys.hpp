@@ -3,6 +3,7 @@
 #include <array>
 
 #include "sazare/cases/format/schema.hpp"
+#include "sazare/cases/format/usual_values.hpp"
 
 /// Keys and tables that the methods share.
 namespace sazare::cases {
@@ -122,6 +123,7 @@ inline constexpr std::array gravity_keys{
     Key{.name = "acceleration",
         .type = Type::vector,
         .unit = "m/s2",
+        .usual = usual::gravity,
         .default_text = "[0.0, 0.0, 0.0]",
         .sentence = "Gravitational acceleration."},
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "sazare/cases/fields.hpp"
 #include "sazare/cases/format/units.hpp"
@@ -35,6 +36,17 @@ std::string peaks_text(const MotionPeaks& peaks) {
   add(peaks.velocity, "m/s", "cm/s");
   add(peaks.displacement, "m", "cm");
   return text.empty() ? "does not move" : text;
+}
+
+constexpr int elements_per_wave = 10;
+
+/// [Hz]; nothing for what has none, such as a function of Python.
+std::optional<Real> frequency_of(const Motion& motion, Real end) {
+  if (motion.type == MotionShape::function) return std::nullopt;
+  if (motion.type != MotionShape::record) return motion.frequency;
+  const auto peaks = peaks_of(motion, end);
+  if (!peaks || !(peaks->acceleration > 0) || !(peaks->velocity > 0)) return std::nullopt;
+  return peaks->acceleration / (2 * std::numbers::pi * peaks->velocity);
 }
 
 std::string end_text(const Motion& motion) {
@@ -82,19 +94,37 @@ std::string explain_gravity(const Vector3& acceleration, std::string_view more) 
 
 std::string explain_waves(const std::string& material, Real p_wave, Real s_wave, Real size) {
   return line("waves", fmt::format("{}: P {} m/s, S {} m/s; S waves of {} Hz are ten times {} m long", material, number(p_wave),
-                                   number(s_wave), number(s_wave / (10 * size)), number(size)));
+                                   number(s_wave), number(s_wave / (elements_per_wave * size)), number(size)));
 }
 
-std::string mass_text(Real mass) {
+std::string mass_text(Real mass, bool in_plane) {
   const Real weight = standard_gravity * mass;
   const bool is_large = weight >= 1e6, is_small = weight < 1e3;
-  return fmt::format("{} kg, weight {} {}", number(mass),
+  const std::string_view per_length = in_plane ? "/m" : "";
+  return fmt::format("{} kg{}, weight {} {}{}", number(mass), per_length,
                      number(weight / (is_large   ? 1e6
                                       : is_small ? 1
                                                  : 1e3)),
                      is_large   ? "MN"
                      : is_small ? "N"
-                                : "kN");
+                                : "kN",
+                     per_length);
+}
+
+std::string warn_of_short_waves(const CaseSource& source, const std::vector<Motion>& motions, Real end, Real s_wave, Real size) {
+  const Real followed = s_wave / (elements_per_wave * size);
+  std::string all;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const auto frequency = frequency_of(motions[i], end);
+    if (!frequency || *frequency <= followed) continue;
+    all += warning(
+        source, fmt::format("motions.{}.name", i),
+        fmt::format("the motion \"{}\" of {} Hz or so is faster than what a size of {} m follows: S waves of {} m/s are "
+                    "{} of them long at {} Hz",
+                    motions[i].name, number(*frequency, 2), number(size), number(s_wave), elements_per_wave, number(followed, 2)),
+        "make them smaller; or check the unit of lengths, of velocities and of the time of the record");
+  }
+  return all;
 }
 
 std::string limit_text(Real limit, int digits) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "sazare/cases/case_file.hpp"
 #include "sazare/cases/format/enum_words.hpp"
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/cases/tables.hpp"
@@ -44,8 +45,12 @@ std::string explain_gravity(const Vector3& acceleration, std::string_view more =
 /// size [m] long: shorter ones are not followed well.
 std::string explain_waves(const std::string& material, Real p_wave, Real s_wave, Real size);
 
-/// "9.17e4 kg, weight 899 kN", with N, kN or MN by its size.
-std::string mass_text(Real mass);
+/// "9.17e4 kg, weight 899 kN", with N, kN or MN by its size; of a body in the plane per metre.
+std::string mass_text(Real mass, bool in_plane = false);
+
+/// Warns, at its entry, of each motion whose own frequency is above that of S waves of this velocity [m/s] that are ten elements
+/// or particles of this size [m] long: that of a wavelet, of a record the largest acceleration over that of its velocity.
+std::string warn_of_short_waves(const CaseSource& source, const std::vector<Motion>& motions, Real end, Real s_wave, Real size);
 
 /// "limit 1.2e-5 s"; says so where no springs act and any step is stable.
 std::string limit_text(Real limit, int digits = 4);

@@ -37,10 +37,10 @@ void remove_file(const fs::path& file) {
 }
 
 /// Files of a run or a study, of whatever method, by their names; the manifest is none of them.
-constexpr std::array file_names = {"case.toml",  "history.csv",   "gauges.csv",     "gauge_peaks.csv",
-                                   "walls.csv",  "fragments.csv", "holes.csv",      "half_casts.csv",
-                                   "timing.csv", "ranks.csv",     "mesh.msh",       "report.html",
-                                   "study.csv",  "study.id",      "regression.csv", "regression_lines.csv"};
+constexpr std::array file_names = {"case.toml",      "history.csv",         "gauges.csv",        "gauge_peaks.csv", "walls.csv",
+                                   "fragments.csv",  "holes.csv",           "half_casts.csv",    "timing.csv",      "ranks.csv",
+                                   "mesh.msh",       "report.html",         "ground_motion.csv", "study.csv",       "study.id",
+                                   "regression.csv", "regression_lines.csv"};
 constexpr std::array folder_names = {"snapshots", "checkpoint", "continuum", "bodies"};
 constexpr std::array side_names = {"continuum", "bodies"};
 constexpr std::array series_names = {"elements", "joints", "particles", "finite_elements", "rectangles", "walls"};
@@ -79,9 +79,22 @@ void remove_files_of(const fs::path& folder) {
   for (const fs::path& file : snapshots_in(folder)) remove_file(file);
 }
 
+/// Pictures of the report of the run that was there.
+void remove_pictures(const fs::path& folder) {
+  if (is_link(folder)) return;
+  std::vector<fs::path> found;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
+    if (entry.path().extension() == ".png") found.push_back(entry.path());
+  for (const fs::path& file : found) remove_file(file);
+  fs::remove(folder, ignored);  // where nothing of others is left
+}
+
 }  // namespace
 
 std::string run_status(const fs::path& folder) {
+  std::error_code unknown;
+  if (!fs::is_regular_file(folder / "manifest.json", unknown)) return {};
   std::ifstream stream(folder / "manifest.json");
   if (!stream) return {};
   const nlohmann::json manifest = nlohmann::json::parse(stream, nullptr, false);
@@ -171,6 +184,13 @@ void RunFolder::refuse_links() const {
           "{}: is a symbolic link: a run would write, and remove files, where it leads. Remove it, or choose another folder "
           "(--out)",
           (path_ / name).string()));
+  for (const char* name : file_names) {
+    std::error_code unknown;
+    const fs::file_status status = fs::status(path_ / name, unknown);
+    if (fs::exists(status) && !fs::is_regular_file(status))
+      throw UserError(fmt::format("{}: is no file, as a run writes it. Remove it, or choose another folder (--out)",
+                                  (path_ / name).string()));
+  }
 }
 
 /// Files with the names of a run's where no run is are somebody's own.
@@ -224,6 +244,7 @@ void RunFolder::remove_run() const {
     fs::remove(path_ / side / "snapshots", ignored);
     fs::remove(path_ / side, ignored);  // where nothing of others is left
   }
+  remove_pictures(path_ / "report");
   remove_files_of(path_);
   remove_file(manifest());
 }

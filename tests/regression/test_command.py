@@ -117,6 +117,12 @@ def test_check_tells_what_the_case_will_do(sazare):
         assert words in checked.stdout
 
 
+def test_check_of_a_file_without_end_is_an_error(sazare):
+    checked = sazare("check", "/dev/zero")
+    assert checked.returncode == 2
+    assert "/dev/zero has more than 64 million characters, and so is no case file" in checked.stderr
+
+
 def test_check_of_a_bad_case_is_an_error(sazare):
     checked = sazare("check", sazare.block, "--set", "mesh.file=none.msh")
     assert checked.returncode == USER_ERROR

@@ -131,7 +131,7 @@ private:
     bool good = true;
     for (const Value& item : *items) {
       if (number_in(item)) {
-        good = is_in_range(item, *number_in(item)) && good;
+        good = is_in_range(item, *number_in(item)) && warn_of_unusual(key_, item, *number_in(item), problems_) && good;
         continue;
       }
       problems_.error(item.place, fmt::format("{}: a number was expected, found {}", key_.name, describe(item)),

@@ -34,6 +34,9 @@ TEST(usual_values, name_the_unit_that_was_meant) {
   EXPECT_SAYS(said("delay", "s", usual::delay, 42), "42 ms would be 0.042");
   EXPECT_SAYS(said("friction_angle", "deg", usual::friction_angle, 0.6), "0.6 rad would be 34.3775");
   EXPECT_SAYS(said("s_wave_velocity", "m/s", usual::wave_velocity, 2.5), "2.5 km/s would be 2500");
+  EXPECT_SAYS(said("contact_stiffness", "N/m", usual::contact_stiffness, 1.5),
+              "contact_stiffness = 1.5 N/m is unusual: it is below 1000");
+  EXPECT_SAYS(said("acceleration", "m/s2", usual::gravity, -981), "-981 cm/s2 would be -9.81");
 }
 
 TEST(usual_values, of_no_known_unit_are_told_as_well) {

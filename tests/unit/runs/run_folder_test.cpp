@@ -1,6 +1,7 @@
 #include "sazare/runs/run_folder.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 
@@ -80,7 +81,8 @@ TEST(RunFolder, OverwritingRemovesTheRunAndNothingElse) {
   const test::TemporaryFolder folder;
   const fs::path run = folder / "run";
   for (const char* name : {"manifest.json", "history.csv", "checkpoint/state.h5", "snapshots/elements_00007.vtkhdf",
-                           "snapshots/.joints_00007.vtkhdf.part", "snapshots/elements.vtkhdf.series", "report.html"})
+                           "snapshots/.joints_00007.vtkhdf.part", "snapshots/elements.vtkhdf.series", "report.html",
+                           "ground_motion.csv", "report/energy.png"})
     sazare::test::write_text(run / name, "old");
   sazare::test::write_text(run / "notes.txt", "mine");
   sazare::test::write_text(run / "snapshots/picture.png", "mine");
@@ -131,6 +133,19 @@ TEST(RunFolder, LinksInItAreNotFollowed) {
     const std::string words = words_of_opening(folder / name / "run", Begin::overwrite);
     EXPECT_NE(words.find("is a symbolic link"), std::string::npos) << name << ": " << words;
   }
+}
+
+TEST(RunFolder, WithAPipeInThePlaceOfAFileIsRefused) {
+  const test::TemporaryFolder folder;
+  for (const char* name : {"history.csv", "case.toml"}) {
+    fs::create_directories(folder / name / "run");
+    ASSERT_EQ(mkfifo((folder / name / "run" / name).c_str(), 0600), 0);
+    for (const Begin begin : {Begin::overwrite, Begin::resume})
+      EXPECT_NE(words_of_opening(folder / name / "run", begin).find(std::string(name) + ": is no file"), std::string::npos)
+          << name;
+  }
+  ASSERT_EQ(mkfifo((folder / "manifest.json").c_str(), 0600), 0);
+  EXPECT_EQ(run_status(folder / "."), "");
 }
 
 TEST(RunFolder, IsHeldByOneAtATime) {

@@ -78,6 +78,7 @@ void check_strength(const CheckContext& context, const Entry& entry, const Joint
   const Real largest = std::sqrt(2 * energy * stiffness);
   if (strength <= largest) return;
   const auto rounded = [](Real value, Real direction) {
+    if (!(value > 0) || !std::isfinite(value)) return short_number(value);
     const Real unit = std::pow(10, std::floor(std::log10(value)) - 3);
     return short_number((direction > 0 ? std::ceil(value / unit) : std::floor(value / unit)) * unit, 4);
   };

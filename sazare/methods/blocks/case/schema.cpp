@@ -176,13 +176,15 @@ constexpr std::array contact_keys{
     Key{.name = "contact_shape",
         .type = Type::choice,
         .default_text = "\"spheres\"",
-        .sentence = "What touches: spheres behind the faces, which is fast, but bumpy where faces slide; or the true faces, which "
-                    "slide over each other as planes and keep the energy.",
+        .sentence =
+            "What touches: spheres behind the faces, which is fast, but bumpy where faces slide; or the true faces, which "
+            "slide over each other as planes and keep the energy.",
         .choices = contact_shapes},
     Key{.name = "contact_stiffness",
         .type = Type::number,
         .unit = "N/m",
         .range = positive,
+        .usual = usual::contact_stiffness,
         .note = "required for spheres; with faces for a coupled run alone, whose surface spheres touch",
         .sentence = "Normal stiffness of a pair of contact spheres: force per overlap."},
     Key{.name = "contact_damping",
@@ -195,6 +197,7 @@ constexpr std::array contact_keys{
         .type = Type::number,
         .unit = "Pa/m",
         .range = positive,
+        .usual = usual::stiffness_per_area,
         .note = "required with contact_shape = \"faces\"",
         .sentence = "Normal stiffness of two faces that touch: pressure per overlap."},
     Key{.name = "face_contact_damping",

@@ -1,11 +1,13 @@
 #include "sazare/methods/fem/run/run.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "sazare/cases/explanation.hpp"
 #include "sazare/cases/extent.hpp"
 #include "sazare/cases/format/counted.hpp"
 #include "sazare/methods/fem/case/format.hpp"
+#include "sazare/methods/fem/run/held.hpp"
 #include "sazare/methods/fem/run/identity.hpp"
 #include "sazare/methods/fem/run/motion_rows.hpp"
 #include "sazare/methods/fem/run/record.hpp"
@@ -117,21 +119,32 @@ std::string water_lines(const methods::fem::FemStepper<D>& stepper) {
 }
 
 template <int D>
+std::string warn_of_waves(const cases::CaseFile& file, const FemModel<D>& model) {
+  const auto& fem = file.as<cases::FemCase>();
+  if (fem.time.analysis == cases::Analysis::statics) return "";
+  Real slowest = std::numeric_limits<Real>::infinity();
+  for (const cases::FemMaterial& of : fem.materials)
+    slowest = std::min(
+        slowest, methods::fem::SolidMaterial::elastic_of(of.youngs_modulus, of.poisson_ratio, of.density).s_wave_velocity());
+  return cases::warn_of_short_waves(file, fem.motions, fem.time.end, slowest, largest_element(model.mesh()));
+}
+
+template <int D>
 std::string check(const cases::CaseFile& file, const std::filesystem::path& folder) {
   const FemModel<D> model = build_fem<D>(file, load_fem_mesh(file, folder / "mesh.msh", false));
   const RunClocks clocks = make_clocks(file, file.as<cases::FemCase>().time, "step", model.step);
   const auto& body = model.stepper->body();
   return cases::explain(file.as<cases::FemCase>()) +
-         line("body", fmt::format("{}, {}, {}, mass {} {}", cases::counted(std::ssize(model.mesh().nodes), "nodes"),
+         line("body", fmt::format("{}, {}, {}", cases::counted(std::ssize(model.mesh().nodes), "nodes"),
                                   cases::counted(std::ssize(model.mesh().elements), "elements"),
-                                  cases::counted(std::ssize(body.joints()), "joints"), number(body.total_mass(), 6),
-                                  D == 2 ? "kg/m" : "kg")) +
-         side_lines(model.stepper->supports(), model.group_names) + water_lines(*model.stepper) +
-         second_look(file.as<cases::FemCase>(), model.mesh()) +
+                                  cases::counted(std::ssize(body.joints()), "joints"))) +
+         line("mass", cases::mass_text(body.total_mass(), D == 2)) + side_lines(model.stepper->supports(), model.group_names) +
+         water_lines(*model.stepper) + second_look(file.as<cases::FemCase>(), model.mesh()) +
+         held_text(model, file.as<cases::FemCase>().time.end) +
          line("work", fmt::format("{} degrees of freedom, {} equations", model.stepper->free_freedoms(),
                                   body.is_symmetric() ? "symmetric" : "unsymmetric")) +
          line("", fmt::format("{} steps, {} per history row", clocks.steps(), clocks.steps_per_row)) +
-         cases::warn_of_size(file, cases::extent_of(model.mesh().nodes)) + model.warnings;
+         cases::warn_of_size(file, cases::extent_of(model.mesh().nodes)) + warn_of_waves(file, model) + model.warnings;
 }
 
 }  // namespace

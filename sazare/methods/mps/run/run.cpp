@@ -172,10 +172,20 @@ std::string second_look(const cases::MpsCase& mps, const state::Particles<D>& pa
     extent.low[static_cast<Eigen::Index>(axis)] = std::ranges::min(own) - 0.5 * particles.spacing;
     extent.high[static_cast<Eigen::Index>(axis)] = std::ranges::max(own) + 0.5 * particles.spacing;
   }
-  std::string text = cases::explain_size(extent);
+  Real mass = 0;
+  for (std::size_t i = 0; i < particles.size(); ++i) mass += 1 / particles.inverse_mass[i];
+  std::string text = cases::explain_size(extent) + line("mass", cases::mass_text(mass, D == 2));
   for (const cases::Ground& ground : mps.materials)
     text += cases::explain_waves(ground.name, ground.p_wave_velocity, ground.s_wave_velocity, particles.spacing);
   return text;
+}
+
+template <int D>
+std::string warn_of_waves(const cases::CaseFile& file, const state::Particles<D>& particles) {
+  const auto& mps = file.as<cases::MpsCase>();
+  Real slowest = std::numeric_limits<Real>::infinity();
+  for (const cases::Ground& ground : mps.materials) slowest = std::min(slowest, ground.s_wave_velocity);
+  return cases::warn_of_short_waves(file, mps.motions, mps.time.end, slowest, particles.spacing);
 }
 
 template <int D>
@@ -211,7 +221,8 @@ std::string check(const cases::CaseFile& file) {
                                   number(model.step / limit, 3), clocks.steps_per_row)) +
          line("work",
               fmt::format("{} steps, {} particle-steps", clocks.steps(), number(particles * static_cast<Real>(clocks.steps())))) +
-         cost_text<D>(file.as<cases::MpsCase>(), particles, clocks) + (model.warning.empty() ? "" : "\n" + model.warning);
+         cost_text<D>(file.as<cases::MpsCase>(), particles, clocks) + warn_of_waves<D>(file, model.stepper->particles()) +
+         (model.warning.empty() ? "" : "\n" + model.warning);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "sazare/methods/rectangles/run/run.hpp"
 
+#include <cmath>
+
 #include "sazare/cases/explanation.hpp"
 #include "sazare/cases/extent.hpp"
 #include "sazare/cases/format/counted.hpp"
@@ -8,6 +10,7 @@
 #include "sazare/methods/rectangles/run/record.hpp"
 #include "sazare/observe/atomic_file.hpp"
 #include "sazare/runs/case_run.hpp"
+#include "sazare/runs/cost.hpp"
 #include "sazare/runs/particle_rows.hpp"
 
 namespace sazare::runs {
@@ -91,6 +94,40 @@ std::string size_text(const RectanglesModel& model) {
       [&](std::size_t i) { return Vector3(model.forces->outlines().spring_radius(i) * Vector3(1, 1, 0)); }));
 }
 
+/// Mass, what holds, and the waves that a lattice of squares can follow.
+std::string second_look(const cases::RectanglesCase& rectangles, const RectanglesModel& model) {
+  const state::Particles<2>& particles = model.stepper->particles();
+  Real mass = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(model.elements); ++i) mass += 1 / particles.inverse_mass[i];
+  std::string text = line("mass", cases::mass_text(mass));
+  for (const cases::SquareMaterial& material : rectangles.materials) {
+    Real size = 0;
+    for (const cases::SquareBlock& block : rectangles.blocks)
+      if (block.material == material.name) size = std::max(size, block.element_size);
+    if (size > 0)
+      text += cases::explain_waves(material.name, std::sqrt(material.normal_stiffness / material.density),
+                                   std::sqrt(material.shear_stiffness / material.density), size);
+  }
+  if (rectangles.walls.empty() && rectangles.rollers.empty()) {
+    const Real fall = 0.5 * rectangles.gravity.acceleration.norm() * rectangles.time.end * rectangles.time.end;
+    text += line(
+        "held", fall > 0 ? fmt::format("no wall or roller holds the blocks, which fall {} m in the time of the run", number(fall))
+                         : std::string("no wall or roller holds the blocks"));
+  }
+  return text;
+}
+
+std::string cost_text(const cases::RectanglesCase& rectangles, const RectanglesModel& model, const RunClocks& clocks) {
+  constexpr Real element_steps_per_second = 20e6, history_columns = 20, gauge_columns = 6, bytes_of_element = 200;
+  const auto elements = static_cast<Real>(model.elements);
+  return runs::cost_text({.work = elements * static_cast<Real>(clocks.steps()),
+                          .work_per_second = element_steps_per_second,
+                          .columns = history_columns + gauge_columns * static_cast<Real>(rectangles.gauges.size()),
+                          .bodies = elements,
+                          .bytes_of_body = bytes_of_element},
+                         clocks);
+}
+
 }  // namespace
 
 std::string check_rectangles(const cases::CaseFile& file, std::optional<Real> window) {
@@ -99,14 +136,14 @@ std::string check_rectangles(const cases::CaseFile& file, std::optional<Real> wi
   const RunClocks clocks = make_clocks(file, file.as<cases::RectanglesCase>().time, "step", model.step);
   const std::string paper = model.limit.paper > 0 ? fmt::format("; (26) of the paper: {} s", number(model.limit.paper)) : "";
   return cases::explain(file.as<cases::RectanglesCase>()) + line("body", cases::counted(model.elements, "elements")) +
-         size_text(model) +
+         size_text(model) + second_look(file.as<cases::RectanglesCase>(), model) +
          line("stability", fmt::format("{}, predicted from the largest frequency, {} rad/s, and the dashpots{}",
                                        cases::limit_text(model.limit.limit), number(model.limit.largest_frequency), paper)) +
          line("step", fmt::format("{} s, {} of the limit, {} per history row", number(model.step, 5),
                                   number(model.step / model.limit.limit, 3), clocks.steps_per_row)) +
          line("work", fmt::format("{} steps, {} element-steps", clocks.steps(),
                                   number(static_cast<Real>(model.elements) * static_cast<Real>(clocks.steps())))) +
-         (model.warning.empty() ? "" : "\n" + model.warning);
+         cost_text(file.as<cases::RectanglesCase>(), model, clocks) + (model.warning.empty() ? "" : "\n" + model.warning);
 }
 
 }  // namespace sazare::runs

@@ -124,6 +124,14 @@ std::string size_text(const SpheresModel& model) {
       [&](std::size_t i) -> Vector3 { return Vector3::Constant(place(i).radius); }));
 }
 
+/// Tells of bodies that fall without end: nothing is below them, no wall and no group that is held.
+std::string held_text(const cases::SpheresCase& spheres) {
+  const Real fall = 0.5 * spheres.gravity.acceleration.norm() * spheres.time.end * spheres.time.end;
+  const bool is_held = std::ranges::any_of(spheres.spheres, [](const cases::SphereGroup& group) { return group.held; });
+  if (fall == 0 || is_held || !spheres.walls.empty()) return "";
+  return line("held", fmt::format("no wall and no held group: the bodies fall {} m in the time of the run", number(fall)));
+}
+
 /// What `check` says of the steps of a body.
 std::string steps_text(const SphereSteps& steps, const RunClocks& clocks) {
   std::string text = line("stability", cases::limit_text(steps.limit, 5)) +
@@ -176,11 +184,11 @@ std::string check_spheres(const cases::CaseFile& file) {
     largest = std::max(largest, place.radius);
   }
   return cases::explain(file.as<cases::SpheresCase>()) +
-         line("body", fmt::format("{} of radius {} to {} m, {} kg, {}",
-                                  cases::counted(static_cast<std::int64_t>(model.group.size()), "spheres"), number(smallest),
-                                  number(largest), number(mass),
-                                  cases::counted(static_cast<std::int64_t>(model.stepper->walls().walls().size()), "walls"))) +
-         size_text(model) +
+         line("body",
+              fmt::format("{} of radius {} to {} m, {}", cases::counted(static_cast<std::int64_t>(model.group.size()), "spheres"),
+                          number(smallest), number(largest),
+                          cases::counted(static_cast<std::int64_t>(model.stepper->walls().walls().size()), "walls"))) +
+         size_text(model) + line("mass", cases::mass_text(mass)) + held_text(file.as<cases::SpheresCase>()) +
          (model.clumps > 0 ? line("clumps", fmt::format("{} rigid, of {} m3 together", model.clumps, number(volume))) : "") +
          (model.stepper->bodies().empty()
               ? ""

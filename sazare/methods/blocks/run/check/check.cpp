@@ -8,6 +8,7 @@
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/methods/blocks/case/format.hpp"
 #include "sazare/methods/blocks/run/block_fragments.hpp"
+#include "sazare/methods/blocks/run/check/process_zone.hpp"
 #include "sazare/methods/blocks/run/check/second_look.hpp"
 #include "sazare/methods/blocks/run/check/stability.hpp"
 #include "sazare/methods/blocks/run/check/waves.hpp"
@@ -91,8 +92,8 @@ std::string check(const cases::CaseFile& file, const fs::path& made) {
   const std::string warning = warn_of(file, model);
   model.simulation->start();
   return cases::explain(file.as<cases::BlocksCase>()) + body_text(model) + second_look(file.as<cases::BlocksCase>(), model) +
-         describe_waves(file.as<cases::BlocksCase>(), model) + step_text(model, clocks) +
-         cost_text(file.as<cases::BlocksCase>(), model, clocks) + level_text(model) +
+         describe_waves(file.as<cases::BlocksCase>(), model) + describe_process_zones(file.as<cases::BlocksCase>(), model) +
+         step_text(model, clocks) + cost_text(file.as<cases::BlocksCase>(), model, clocks) + level_text(model) +
          limiting_text(model, file.as<cases::BlocksCase>().mesh) + (warning.empty() ? "" : "\n" + warning);
 }
 
