@@ -29,6 +29,7 @@ struct ElasticModuli {
   Real poisson = 0;  ///< nu
 
   Real shear() const { return young / (2 * (1 + poisson)); }                                     ///< [Pa]
+  Real bulk() const { return young / (3 * (1 - 2 * poisson)); }                                  ///< [Pa]
   Real confined() const { return young * (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson)); }  ///< of a plane P wave [Pa]
 };
 

@@ -27,6 +27,13 @@ Index add_body(Bodies<3>& bodies, Real mass, const Vector3& centre, const Vector
   return bodies.size() - 1;
 }
 
+Real largest_softness(const Bodies<3>& bodies, Index body) {
+  const auto n = static_cast<std::size_t>(body);
+  Real by_turning = bodies.inertia[n].inverse_moments.maxCoeff();
+  if (!bodies.strain.empty()) by_turning += bodies.strain[n].inverse_inertia;
+  return 1 / bodies.inertia[n].mass + bodies.reach[n] * bodies.reach[n] * by_turning;
+}
+
 Index add_body(Bodies<2>& bodies, Real mass, const Vector<2>& centre, Real moment, Real reach) {
   Motion<2> motion;
   motion.position = centre;

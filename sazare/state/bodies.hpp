@@ -121,6 +121,17 @@ struct Pose {
   Rotation<D> rotation;
 };
 
+/// Place of a body that may be strained.
+struct StrainedPose : Pose<3> {
+  Matrix3 straining = Matrix3::Zero();  ///< R E
+
+  StrainedPose(const Pose<3>& pose) : Pose<3>(pose) {}
+  StrainedPose(const Pose<3>& pose, const Vector6& strain) : Pose<3>(pose), straining(pose.rotation * tensor_of(strain)) {}
+
+  /// The deformation gradient R (1 + E).
+  Matrix3 gradient() const { return rotation + straining; }
+};
+
 /// The rotation that a spin makes in a time, exact for the angle 2 atan(|spin| time / 2): its error is of third order in
 /// time, and the rotation for -time is exactly its inverse.
 Rotation<3> turn(const Vector3& spin, Real seconds);
@@ -133,6 +144,17 @@ Pose<D> pose_at(const Motion<D>& motion, const Instant& now) {
   const Real seconds = now.seconds_since(motion.due);
   return {motion.position + seconds * motion.velocity, turn(motion.spin, seconds) * motion.rotation};
 }
+
+inline StrainedPose strained_pose_at(const Bodies<3>& bodies, Index body, const Instant& now) {
+  const auto& motion = bodies.motion[static_cast<std::size_t>(body)];
+  const Pose<3> pose = pose_at(motion, now);
+  if (bodies.strain.empty()) return pose;
+  const Strain& strain = bodies.strain[static_cast<std::size_t>(body)];
+  return {pose, strain.strain + (motion.due == now.tick ? 0 : now.seconds_since(motion.due)) * strain.rate};
+}
+
+/// 1/mass that a body shows to an impulse at any of its points, at most [1/kg].
+Real largest_softness(const Bodies<3>& bodies, Index body);
 
 /// Where several are, as many as `poses`, for rows of a history. Sums of products are rounded once, as in kernels of lanes, so
 /// within some 1e-16 of what `pose_at` finds.

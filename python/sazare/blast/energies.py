@@ -16,10 +16,10 @@ class EnergyPart:
 
 MEANINGS = {
     "energy_kinetic": ("in motion", "Kinetic energy of the rock: throw of fragments, and waves that are still under way at the end of the run."),
-    "energy_elastic": ("stored elastically", "Strain energy in joints, contacts and boundaries. Below zero where the run began under stress and has released some of it."),
+    "energy_elastic": ("stored elastically", "Strain energy in joints, deformable elements, contacts and boundaries. Below zero where the run began under stress and has released some of it."),
     "energy_joint_dashpot": (
         "joint dashpots",
-        "Turned into heat by the dashpots of joints that have not broken, as waves deform them. In rock this stands for what no joint of the mesh "
+        "Turned into heat by the dashpots of joints that have not broken, and by the bulk damping of deformable elements, as waves deform them. In rock this stands for what no joint of the mesh "
         "can show: crushing around the holes, cracks smaller than an element, and the damping of waves in intact rock. A large part says that the "
         "result depends on the damping of the case; look how much it changes when the dashpots are halved.",
     ),

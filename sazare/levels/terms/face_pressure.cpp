@@ -26,7 +26,7 @@ FacePressure::FacePressure(std::vector<PressureLoad> loads, std::vector<PressedF
   table_.causes = {Cause::load};
   table_.slots.resize(faces_.size());
   table_.incidence = FixedIncidence(bodies.size(), links_);
-  if (!bodies.strain.empty()) strain_table_.forces.resize(faces_.size());
+  strain_table_ = {bodies, faces_.size()};
 }
 
 std::vector<Index> FacePressure::first_links() const {
@@ -69,7 +69,7 @@ void FacePressure::evaluate(const Instant& now, std::span<const Due> due, const 
     for (std::size_t lane = 0; lane < lane_count; ++lane)
       if (acts[static_cast<int>(lane)] == 0) faces[lane]->acts = 0;
   const LaneVector push = select(acts, pressure, Lanes{}) * (rotation * area);  // on the outside, the second body
-  if (!strain_table_.forces.empty()) {
+  if (strain_table_.exists) {
     std::array<Vector3, lane_count> pushes;
     for (int lane = 0; lane < lane_count; ++lane)
       pushes[static_cast<std::size_t>(lane)] = {push[0][lane], push[1][lane], push[2][lane]};
@@ -85,7 +85,7 @@ void FacePressure::write_strain_forces(std::span<const Due> due, const std::arra
     const PressedFace& face = faces_[static_cast<std::size_t>(due[lane].link)];
     const Matrix3& rotation = bodies.motion[static_cast<std::size_t>(face.body)].rotation;
     const Vector6 on_body = -force_on_strain(rotation.transpose() * push[lane], face.centre);
-    strain_table_[due[lane].link].write(table_[due[lane].link].evaluated < 0, on_body, on_body);
+    strain_table_[due[lane].link].write(table_[due[lane].link].evaluated < 0, on_body, {});
   }
 }
 
@@ -100,13 +100,13 @@ void FacePressure::add_energies(const Synchronized<3>& at, EnergySums& energies)
 void FacePressure::carry(Index link, Parcel& parcel) {
   parcel(faces_[static_cast<std::size_t>(link)].acts);
   parcel(table_[link]);
-  if (!strain_table_.forces.empty()) parcel(strain_table_[link]);
+  strain_table_.carry(link, parcel);
 }
 
 void FacePressure::columns(Archive& archive) {
   archive("faces", faces_);
   archive("slots", table_.slots);
-  if (!strain_table_.forces.empty()) archive("strain_forces", strain_table_.forces);
+  strain_table_.columns(archive);
 }
 
 }  // namespace sazare::terms

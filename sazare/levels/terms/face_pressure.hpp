@@ -63,7 +63,7 @@ private:
   std::vector<PressedFace> faces_;
   std::vector<Link> links_;
   SlotTable<3, 0, FixedIncidence> table_;
-  StrainTable<1> strain_table_;
+  StrainTable<1, 0> strain_table_;
 };
 
 }  // namespace sazare::terms

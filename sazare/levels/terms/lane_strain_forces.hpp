@@ -13,14 +13,14 @@ namespace sazare::terms {
 using LaneStrainNumbers = std::array<Lanes, 12>;
 
 /// The last total becomes the one before; numbers go in a row from memory to memory, without being turned into lanes.
-inline void keep_total(StrainForces<2>& forces) {
+inline void keep_total(StrainForces<2, 1>& forces) {
   for (const std::size_t begin : {std::size_t{0}, std::size_t{4}, std::size_t{12} - lane_count})  // rows that overlap
     *reinterpret_cast<LooseFloats*>(forces.previous.data() + begin) = single(load_lanes(forces.total.data() + begin));
 }
 
 /// What StrainForces::write does, before the slots of the links are written. Lanes of one link must have the same numbers.
 template <class Slot>
-void write(const LanePointers<StrainForces<2>>& forces, const LanePointers<Slot>& slots, const LaneStrainNumbers& total,
+void write(const LanePointers<StrainForces<2, 1>>& forces, const LanePointers<Slot>& slots, const LaneStrainNumbers& total,
            const LaneStrainNumbers& part, const LaneMask& begins_anew) {
   LaneBits begin = bits_of(begins_anew);
   for (std::size_t lane = 0; lane < lane_count; ++lane)
@@ -31,7 +31,7 @@ void write(const LanePointers<StrainForces<2>>& forces, const LanePointers<Slot>
   for (std::size_t lane = 0; lane < lane_count; ++lane) keep_total(*forces[lane]);
   for (std::size_t i = 0; i < 12; i += 4) store_quad({total[i], total[i + 1], total[i + 2], total[i + 3]}, forces, i);
   for (; begin != 0; begin &= begin - 1) {
-    StrainForces<2>& anew = *forces[static_cast<std::size_t>(std::countr_zero(begin))];
+    StrainForces<2, 1>& anew = *forces[static_cast<std::size_t>(std::countr_zero(begin))];
     for (std::size_t i = 0; i < 12; ++i) anew.previous[i] = static_cast<float>(anew.total[i]);
   }
 }

@@ -21,6 +21,10 @@ constexpr Real skin_of_radius = 0.15;  // of the median inscribed radius: few fa
 constexpr Real largest_move = 1.0 / 32, smallest_move = 1.0 / 1024;
 constexpr Real usual_evaluations = 80;  // between two measurements
 
+// Strain moves the centre of a sphere as it moves the point where the sphere touches its face, as far as its radius from the
+// centre; and no inscribed sphere is larger than a third of the reach.
+constexpr Real reach_with_radius = 4.0 / 3;
+
 Real choose_skin(const geometry::ElementCorners& corners) {
   std::vector<Real> radii;
   for (std::size_t body = 0; body < corners.tetrahedra.size(); ++body)
@@ -35,16 +39,13 @@ Real choose_skin(const geometry::ElementCorners& corners) {
 
 BlockContacts::BlockContacts(ContactShape shape, int edge_division, Joints& joints, const geometry::ElementCorners& corners,
                              const state::Bodies<3>& bodies)
-    : joints_(&joints), corners_(corners), surface_(bodies.size(), edge_division, choose_skin(corners_), shape) {
+    : joints_(&joints), corners_(corners), farthest_(bodies.strain.empty() ? 1 : reach_with_radius), surface_(bodies.size(), edge_division, choose_skin(corners_), shape, shape == ContactShape::spheres && !bodies.strain.empty()) {
   table_.causes = {terms::Cause::contact_dashpot, terms::Cause::friction};
   table_.incidence = terms::ChangingIncidence(bodies.size());
   touching_.assign(bodies.inertia.size(), 0);
   softness_.reserve(bodies.inertia.size());
-  for (std::size_t body = 0; body < bodies.inertia.size(); ++body) {
-    const auto& inertia = bodies.inertia[body];
-    const Real reach = bodies.reach[body];
-    softness_.push_back(static_cast<float>(1 / inertia.mass + reach * reach * inertia.inverse_moments.maxCoeff()));
-  }
+  for (Index body = 0; body < bodies.size(); ++body) softness_.push_back(static_cast<float>(largest_softness(bodies, body)));
+  if (shape == ContactShape::spheres) strain_table_ = {bodies, 0};
 }
 
 void BlockContacts::open_first(std::span<const FreeFace> free_faces, const state::Bodies<3>& bodies) {
@@ -69,17 +70,18 @@ void BlockContacts::conclude(const Instant& now, const Due& due, bool overlap, b
   if (touches)
     terms::write<3, 2>(slot, now, due, force.total, {force.dashpot, force.friction});
   else
-    slot = {};
+    clear(due.link);
 }
 
 Real BlockContacts::update_clearance(Index pair, const ContactBody& first, const ContactBody& second,
                                      const state::Bodies<3>& bodies) {
   const Link& link = links_[at(pair)];
   Clearance& clearance = clearance_[at(pair)];
-  const state::Pose<3> first_pose = first.pose(), second_pose = second.pose();
+  const state::StrainedPose first_pose = first.pose(), second_pose = second.pose();
   Real moved = 0;
   if (clearance.is_known)
-    moved = clearance.moved(first_pose, second_pose, bodies.reach[at(link.first)], bodies.reach[at(link.second)]);
+    moved = clearance.moved(first_pose, second_pose, farthest_ * bodies.reach[at(link.first)],
+                            farthest_ * bodies.reach[at(link.second)]);
   ++clearance.evaluations;
   const bool is_used_up = clearance.is_known && moved > clearance.good;
   const bool gap_is_used_up = table_[pair].evaluated < 0 && clearance.gap > 0 && moved >= clearance.gap;
@@ -103,22 +105,24 @@ void BlockContacts::fit_to_motion(Clearance& clearance) const {
 bool BlockContacts::are_distant(const ContactBody& first, const ContactBody& second, const Link& link, Real room,
                                 const state::Bodies<3>& bodies) const {
   if (!(room > surface_.skin() / 1000)) return false;
-  const Real closing = (second.motion.velocity - first.motion.velocity).norm() +
-                       bodies.reach[at(link.first)] * first.motion.spin.norm() +
-                       bodies.reach[at(link.second)] * second.motion.spin.norm();
+  const auto turning = [](const ContactBody& body) {
+    return body.motion.spin.norm() + (body.strain == nullptr ? 0 : body.strain->rate.norm());
+  };
+  const Real closing = (second.motion.velocity - first.motion.velocity).norm() + farthest_ * bodies.reach[at(link.first)] * turning(first) +
+                       farthest_ * bodies.reach[at(link.second)] * turning(second);
   const Real change = surface_.skin() / 1000 + 2 * base_step_ * (first.motion.velocity.norm() + second.motion.velocity.norm());
   return room > 2 * base_step_ * closing + std::min(surface_.skin() / 100, change);
 }
 
 /// Clearance of a pair where it stands.
-void BlockContacts::measure(Index pair, const state::Pose<3>& first, const state::Pose<3>& second) {
+void BlockContacts::measure(Index pair, const state::StrainedPose& first, const state::StrainedPose& second) {
   Clearance& clearance = clearance_[at(pair)];
   clearance.is_known = 1;
   clearance.evaluations = 0;
   if (clearance.good == 0) clearance.good = smallest_move * surface_.skin();
   clearance.apart = second.position - first.position;
-  clearance.first = first.rotation;
-  clearance.second = second.rotation;
+  clearance.first = first.gradient();
+  clearance.second = second.gradient();
   clearance.gap = find_gap(pair, first, second, clearance);
 }
 
@@ -133,6 +137,16 @@ void BlockContacts::gather(const Instant& now, std::span<const Index> which, con
                            std::span<state::Impulse<3>> sum, terms::CauseImpulses<3>& parts) const {
   for (std::size_t i = 0; i < which.size(); ++i)
     if (touching_[at(which[i])] > 0) table_.gather_one(now, which[i], i, sum[i], parts);
+}
+
+void BlockContacts::gather_strain(const Instant& now, Index body, terms::StrainGathered& sum) const {
+  if (touching_[at(body)] > 0) strain_table_.gather(now, body, table_, sum);
+}
+
+/// A pair has no force any more.
+void BlockContacts::clear(Index pair) {
+  table_[pair] = {};
+  strain_table_.clear(pair);
 }
 
 void BlockContacts::open_face(const FreeFace& face, const state::Bodies<3>& bodies) {
@@ -163,7 +177,7 @@ void BlockContacts::post_step(const Instant& now, const state::Bodies<3>& bodies
   loosened.erase(std::unique(loosened.begin(), loosened.end()), loosened.end());
   if (!peers.alone()) {
     peers.fetch(loosened);
-    peers.fetch(surface_.candidates(loosened, [&](Index body) { return state::pose_at(bodies.motion[at(body)], now); }));
+    peers.fetch(surface_.candidates(loosened, [&](Index body) { return pose_at(body, bodies, now); }));
   }
   search(loosened, false, now, bodies, changes);
 }
@@ -175,7 +189,7 @@ void BlockContacts::post_base_step(const Instant& now, const state::Bodies<3>& b
   peers.fetch(surface_.bodies());
   std::vector<Index> moved;
   for (const Index body : surface_.bodies())
-    if (surface_.moved(body, state::pose_at(bodies.motion[at(body)], now), bodies.reach[at(body)]) > surface_.skin() / 3)
+    if (surface_.moved(body, pose_at(body, bodies, now), bodies.reach[at(body)]) > surface_.skin() / 3)
       moved.push_back(body);
   if (moved.empty()) return;
   std::ranges::sort(moved);
@@ -202,7 +216,7 @@ void BlockContacts::deactivate_the_distant(const Instant& now, terms::Peers& pee
 
 void BlockContacts::search(std::span<const Index> which, bool may_end, const Instant& now, const state::Bodies<3>& bodies,
                            terms::Changes& changes) {
-  const PoseOf pose_of = [&](Index body) { return state::pose_at(bodies.motion[at(body)], now); };
+  const PoseOf pose_of = [&](Index body) { return pose_at(body, bodies, now); };
   for (const Index body : which) surface_.place(body, pose_of(body));
   std::vector<std::vector<NearPair>> found(which.size());
   parallel::parallel_for_uneven(which.size(), searched_alone_below, [&](std::size_t begin, std::size_t end) {
@@ -267,6 +281,7 @@ void BlockContacts::begin_pair(NearPair near, const PoseOf& pose_of, terms::Chan
     idle_.pop_back();
     table_[pair] = {};
   }
+  strain_table_.begin(pair);
   links_[at(pair)] = {near.first, near.second};
   clearance_[at(pair)] = {};
   list_side(near.first, {pair, 0});
@@ -283,7 +298,7 @@ void BlockContacts::end_pair(Index pair, terms::Changes& changes) {
     changes.softer.push_back(body);
   }
   if (table_[pair].evaluated >= 0) count_touching(link, -1);
-  table_[pair] = {};
+  clear(pair);
   end(pair);
   changes.ended_links.push_back(pair);
   ending_.push_back(pair);
@@ -292,6 +307,7 @@ void BlockContacts::end_pair(Index pair, terms::Changes& changes) {
 void BlockContacts::carry(Index pair, Parcel& parcel) {
   parcel(clearance_[at(pair)]);
   parcel(table_[pair]);
+  strain_table_.carry(pair, parcel);
 }
 
 void BlockContacts::carried() {
@@ -305,6 +321,7 @@ void BlockContacts::columns(Archive& archive) {
   archive("idle", idle_);
   archive("ending", ending_);
   archive("slots", table_.slots);
+  strain_table_.columns(archive);
   archive("base_steps", base_steps_);
   archive("touching", touching_);
   archive("clearance", clearance_);

@@ -25,6 +25,8 @@ public:
   std::vector<Index> first_links() const override;
   void gather(const Instant& now, std::span<const Index> which, const state::Bodies<3>& bodies, std::span<state::Impulse<3>> sum,
               terms::CauseImpulses<3>& parts) const override;
+  bool acts_on_strains() const override { return strain_table_.exists; }
+  void gather_strain(const Instant& now, Index body, terms::StrainGathered& sum) const override;
   void post_step(const Instant& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
   void post_base_step(const Instant& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
   void carry(Index pair, Parcel& parcel) override;
@@ -38,8 +40,6 @@ public:
   Index pair_count() const { return static_cast<Index>(links_.size() - idle_.size()); }
 
 protected:
-  using PoseOf = std::function<state::Pose<3>(Index)>;
-
   /// `corners` of every body as it stands at the beginning, which must outlive the term.
   BlockContacts(ContactShape shape, int edge_division, Joints& joints, const geometry::ElementCorners& corners,
                 const state::Bodies<3>& bodies);
@@ -55,14 +55,26 @@ protected:
   virtual void renew(Index pair, NearPair near) = 0;
   virtual void end(Index pair) = 0;
   /// Gap of a pair where it stands, the skin at most [m]; `clearance` says for how much motion it is to be good.
-  virtual Real find_gap(Index pair, const state::Pose<3>& first, const state::Pose<3>& second, Clearance& clearance) = 0;
+  virtual Real find_gap(Index pair, const state::StrainedPose& first, const state::StrainedPose& second,
+                        Clearance& clearance) = 0;
   /// A face of a body is open from now on.
   virtual void opened(const FreeFace&, const state::Bodies<3>&) {}
   /// Bodies that may touch others now that a joint has broken.
   virtual void add_loosened(Index joint, std::vector<Index>& loosened) const;
 
   ContactBody body(Index number, const state::Bodies<3>& bodies) const {
-    return {bodies.motion[at(number)], bodies.inertia[at(number)]};
+    return {bodies.motion[at(number)], bodies.inertia[at(number)], follows_strains() ? &bodies.strain[at(number)] : nullptr};
+  }
+  /// Whether what touches moves with the strains of its blocks: faces do not.
+  bool follows_strains() const { return strain_table_.exists; }
+  state::StrainedPose pose_at(Index body, const state::Bodies<3>& bodies, const Instant& now) const {
+    if (follows_strains()) return state::strained_pose_at(bodies, body, now);
+    return state::pose_at(bodies.motion[at(body)], now);
+  }
+  /// At a base step.
+  state::StrainedPose pose_at(Index body, const terms::Synchronized<3>& now) const {
+    if (follows_strains()) return {now.pose_of(body), now.strain_of(body)};
+    return now.pose_of(body);
   }
   /// Measures the clearance of a pair anew where what has moved since then has used it up; returns how far the two have moved
   /// since it was measured, at most [m].
@@ -71,6 +83,14 @@ protected:
   bool stays_apart(Index pair, Real moved) const { return table_[pair].evaluated < 0 && moved < clearance_[at(pair)].gap; }
   /// Writes what an evaluation has found of a pair; the force counts where the two touch.
   void conclude(const Instant& now, const Due& due, bool overlap, bool touches, const ContactForce& force);
+  /// Writes what it has found on the strains of a pair that touches; to be called before.
+  void write_strain_force(const Due& due, const ContactStrainForce& force) {
+    strain_table_[due.link].write(table_[due.link].evaluated < 0, force.total, {force.dashpot, force.friction});
+  }
+  void take_back(Index pair, const terms::Synchronized<3>& now, terms::EnergySums& energies) const {
+    table_.take_back(pair, links_[at(pair)], now, energies);
+    strain_table_.take_back(pair, links_[at(pair)], table_, now, energies);
+  }
   bool is_idle(const Link& link) const { return link.first == Link::outside; }
   /// Energies of pairs are counted where they touched when last evaluated: others are far from meeting where that was earlier.
   bool has_energy(std::size_t pair, const terms::Synchronized<3>& at_time) const {
@@ -79,18 +99,21 @@ protected:
 
   Joints* joints_;
   geometry::ElementCorners corners_;
+  Real farthest_;                ///< of the points that strain moves, in the reach of their body
   std::vector<float> softness_;  ///< by body: the largest 1/mass that it can show at a point of it [1/kg]
   ContactSurface surface_;
   std::vector<Link> links_;
   std::vector<Clearance> clearance_;  ///< by pair
   terms::SlotTable<3, 2, terms::ChangingIncidence> table_;
+  terms::StrainTable<2, 2> strain_table_;
 
 private:
   void fit_to_motion(Clearance& clearance) const;
   bool are_distant(const ContactBody& first, const ContactBody& second, const Link& link, Real room,
                    const state::Bodies<3>& bodies) const;
   void deactivate_the_distant(const Instant& now, terms::Peers& peers, terms::Changes& changes);
-  void measure(Index pair, const state::Pose<3>& first, const state::Pose<3>& second);
+  void clear(Index pair);
+  void measure(Index pair, const state::StrainedPose& first, const state::StrainedPose& second);
   void count_touching(const Link& link, int change);
   void open_face(const FreeFace& face, const state::Bodies<3>& bodies);
   void search(std::span<const Index> which, bool may_end, const Instant& now, const state::Bodies<3>& bodies,

@@ -27,9 +27,10 @@ std::array<float, 3> spread_of(const JointRecord& joint) {
 
 /// Moves the corners on the master so that the springs carry the initial tractions. The area of the record is rounded; the force
 /// is that over the whole face.
-void preload(JointRecord& joint, const JointFace& face, const ElasticJoint& kind, const Matrix3& to_master, Real vertex_area) {
+void preload(JointRecord& joint, const JointFace& face, const ElasticJoint& kind, const Matrix3& to_master) {
   const auto axes = face_axes(joint.normal, joint.tilt);
-  const Real whole = vertex_area / Real{joint.vertex_area};
+  const auto& c = face.corners;
+  const Real whole = (c[1] - c[0]).cross(c[2] - c[0]).norm() / 6 / Real{joint.vertex_area};
   for (std::size_t v = 0; v < vertex_count; ++v) {
     const Vector3 traction = whole * (to_master * face.traction[v]);
     if (traction.isZero(0)) continue;
@@ -59,8 +60,18 @@ JointRecord make_joint(const JointFace& face, const ElasticJoint& kind, const st
   joint.master = face.master;
   joint.slave = face.slave;
   joint.kind = static_cast<std::int16_t>(face.kind);
-  preload(joint, face, kind, master.rotation.transpose(), across.norm() / 6);
   return joint;
+}
+
+/// Of a joint that has neither slipped nor been preloaded.
+MasterCorners corners_on_master(const JointRecord& joint) {
+  const auto axes = face_axes(joint.normal, joint.tilt);
+  MasterCorners corners;
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    const Vector3& in_face = joint.vertex[v].corner;
+    corners.vertex[v] = in_face[0] * axes[0] + in_face[1] * axes[1] + in_face[2] * axes[2];
+  }
+  return corners;
 }
 
 }  // namespace
@@ -72,7 +83,10 @@ BondedFaces::BondedFaces(std::vector<ElasticJoint> kinds, std::span<const JointF
   for (const JointFace& face : faces) {
     at_face_[at(face.master)][at(face.master_face)] = count();
     at_face_[at(face.slave)][at(face.slave_face)] = count();
-    records_.push_back(make_joint(face, elastic_joint(elastic_, face), bodies));
+    const ElasticJoint joint = elastic_joint(elastic_, face);
+    records_.push_back(make_joint(face, joint, bodies));
+    if (!bodies.strain.empty()) master_corners_.push_back(corners_on_master(records_.back()));
+    preload(records_.back(), face, joint, bodies.motion[at(face.master)].rotation.transpose());
     links_.push_back({face.master, face.slave});
   }
   if (std::ranges::any_of(faces, [](const JointFace& face) { return face.own.has_value(); }))
@@ -85,10 +99,7 @@ BondedFaces::BondedFaces(std::vector<ElasticJoint> kinds, std::span<const JointF
   }
   reserve_on_large_pages(table_.slots, faces.size());
   table_.slots.resize(faces.size());
-  if (!bodies.strain.empty()) {
-    reserve_on_large_pages(strain_table_.forces, faces.size());
-    strain_table_.forces.resize(faces.size());
-  }
+  strain_table_ = {bodies, faces.size()};
   table_.incidence = terms::FixedIncidence(bodies.size(), links_);
 }
 
@@ -161,7 +172,7 @@ void BondedFaces::carry(Index joint, Parcel& parcel) {
   parcel(losses_[at(joint)]);
   if (!paths_.empty()) parcel(paths_[at(joint)]);
   parcel(table_[joint]);
-  if (!strain_table_.forces.empty()) parcel(strain_table_[joint]);
+  strain_table_.carry(joint, parcel);
 }
 
 void BondedFaces::columns(Archive& archive) {
@@ -170,7 +181,7 @@ void BondedFaces::columns(Archive& archive) {
   archive("slip_paths", paths_);
   archive("was_sheared", was_sheared_);
   archive("slots", table_.slots);
-  if (!strain_table_.forces.empty()) archive("strain_forces", strain_table_.forces);
+  strain_table_.columns(archive);
   archive("rates", rates_);
   archive("broken", broken_);
   archive("broken_count", broken_count_);

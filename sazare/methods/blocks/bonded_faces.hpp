@@ -65,11 +65,12 @@ protected:
               const state::Bodies<3>& bodies, bool some_soften_by_slip);
 
   std::vector<JointRecord> records_;
+  std::vector<MasterCorners> master_corners_;  ///< by joint; none where all bodies are rigid
   std::vector<JointLosses> losses_;
   std::vector<JointSprings> own_springs_;  ///< by joint, from the beginning on; empty where all faces have those of their kinds
   std::vector<Link> links_;
   terms::SlotTable<3, 1, terms::FixedIncidence> table_;
-  terms::StrainTable<2> strain_table_;
+  terms::StrainTable<2, 1> strain_table_;
   terms::Events failed_;         ///< joints, in the present step
   std::vector<SlipPath> paths_;  ///< by joint; empty where no law softens by slip
   terms::Events sheared_;        ///< joints without strength that are pressed together, after the present step

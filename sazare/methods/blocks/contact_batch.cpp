@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "sazare/levels/terms/lane_slots.hpp"
+#include "sazare/methods/blocks/deformation/lane_strains.hpp"
 #include "sazare/state/body_lanes.hpp"
 
 namespace sazare::methods::blocks {
@@ -22,6 +23,10 @@ LaneSpheres load_spheres(const LanePointers<const ContactSphere>& spheres) {
   static_assert(sizeof(ContactSphere) == 4 * sizeof(Real));
   const auto n = load_quad(spheres, 0);
   return {{{n[0], n[1], n[2]}}, n[3]};
+}
+
+LaneSpheres placed(const LaneSpheres& spheres, const state::LanePlaces& at) {
+  return {at.position + at.rotation * spheres.centre, spheres.radius};
 }
 
 /// What a body shows to an impulse, see ContactBody.
@@ -45,6 +50,27 @@ LaneSoftness load_softness(const LaneMatrix& rotation, const LanePointers<const 
   return {rotation, {{n[0], n[1], n[2]}}, 1.0 / n[3]};
 }
 
+/// How a strain moves a point of its body, which lies at a place of the undeformed one.
+struct LaneStraining {
+  LaneVector velocity;    ///< [m/s]
+  LaneVector place;       ///< in the body frame [m]
+  Lanes inverse_inertia;  ///< [1/(kg m2)]
+
+  /// What it adds to the softness: the square of the symmetric part of direction times place.
+  Lanes softness(const LaneMatrix& rotation, const LaneVector& direction) const {
+    const LaneVector along = transposed(rotation, direction);
+    const Lanes both = dot(along, place);
+    return 0.5 * inverse_inertia * add_product(dot(along, along), dot(place, place), both * both);
+  }
+};
+
+LaneStraining straining(const LaneMatrix& rotation, const LaneVector& place, const LanePointers<const state::Strain>& bodies) {
+  LaneStraining found{rotation * product(load_strain(bodies).rate, place), place, {}};
+  for (std::size_t lane = 0; lane < lane_count; ++lane)
+    found.inverse_inertia[static_cast<int>(lane)] = bodies[lane]->inverse_inertia;
+  return found;
+}
+
 struct LaneContactForce {
   terms::LanePairForce total, dashpot, friction;
   std::array<Lanes, 2> unused{};
@@ -63,9 +89,19 @@ struct ContactBatch::InLanes {
   LanePointers<const Pair> pairs;
   LanePointers<const ContactSphere> first_sphere, second_sphere;
   LanePointers<const state::Motion<3>> first, second;
+  LanePointers<const state::Strain> first_strain, second_strain;  ///< none where the bodies of the batch are rigid
+
+  LaneVector first_tangent, second_tangent;                         ///< tangent points of both spheres; else not set
+
+  bool are_strained() const { return first_strain[0] != nullptr; }
 
   LaneTouch touch(const state::LanePlaces& first_place, const state::LanePlaces& second_place) const {
-    return blocks::touch(load_spheres(first_sphere), load_spheres(second_sphere), first_place, second_place);
+    LaneSpheres own = placed(load_spheres(first_sphere), first_place), other = placed(load_spheres(second_sphere), second_place);
+    if (are_strained()) {
+      own.centre = own.centre + first_place.rotation * product(load_strain(first_strain).strain, first_tangent);
+      other.centre = other.centre + second_place.rotation * product(load_strain(second_strain).strain, second_tangent);
+    }
+    return blocks::touch(own, other);
   }
 };
 
@@ -91,6 +127,23 @@ ContactForce ContactBatch::force(const Pair& pair) const {
   return sum;
 }
 
+ContactStrainForce ContactBatch::strain_force(const Pair& pair, const ContactSurface& surface) const {
+  ContactStrainForce sum;
+  const Matrix3 first = pair.first.motion.rotation.transpose(), second = pair.second.motion.rotation.transpose();
+  for (std::size_t i = pair.first_touch; i < pair.first_touch + pair.touching; ++i) {
+    const Vector3 &own = surface.tangent_point(touching_[i].spheres->first),
+                  &other = surface.tangent_point(touching_[i].spheres->second);
+    const auto add = [&](const terms::PairForce<3>& force, ContactStrainForce::Numbers& to) {
+      to.head<6>() -= force_on_strain(first * force.linear, own);
+      to.tail<6>() += force_on_strain(second * force.linear, other);
+    };
+    add(forces_[i].total, sum.total);
+    add(forces_[i].dashpot, sum.dashpot);
+    add(forces_[i].friction, sum.friction);
+  }
+  return sum;
+}
+
 ContactBatch::InLanes ContactBatch::in_lanes(std::span<const Member> members, const ContactSurface& surface) const {
   InLanes lanes;
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
@@ -101,6 +154,13 @@ ContactBatch::InLanes ContactBatch::in_lanes(std::span<const Member> members, co
     lanes.second_sphere[lane] = &surface.sphere(member.spheres->second);
     lanes.first[lane] = &pairs_[member.pair].first.motion;
     lanes.second[lane] = &pairs_[member.pair].second.motion;
+    lanes.first_strain[lane] = pairs_[member.pair].first.strain;
+    lanes.second_strain[lane] = pairs_[member.pair].second.strain;
+    if (!lanes.are_strained()) continue;
+    for (int axis = 0; axis < 3; ++axis) {
+      lanes.first_tangent[axis][static_cast<int>(lane)] = surface.tangent_point(member.spheres->first)[axis];
+      lanes.second_tangent[axis][static_cast<int>(lane)] = surface.tangent_point(member.spheres->second)[axis];
+    }
   }
   return lanes;
 }
@@ -148,16 +208,25 @@ void ContactBatch::keep_if_touching(const Member& member, Real overlap) {
   const LaneTouch at = members.touch(first, second);
   const LaneVector arm = at.point - first.position, other_arm = at.point - second.position;
   const state::LaneVelocities mine = state::load_velocities(members.first), theirs = state::load_velocities(members.second);
-  const LaneVector opening = add_cross(theirs.spin, other_arm, theirs.velocity) - add_cross(mine.spin, arm, mine.velocity);
+  LaneVector opening = add_cross(theirs.spin, other_arm, theirs.velocity) - add_cross(mine.spin, arm, mine.velocity);
+  LaneStraining strain{}, other_strain{};
+  if (members.are_strained()) {
+    strain = straining(first.rotation, members.first_tangent, members.first_strain);
+    other_strain = straining(second.rotation, members.second_tangent, members.second_strain);
+    opening = opening + (other_strain.velocity - strain.velocity);
+  }
   const LaneSoftness soft = load_softness(first.rotation, first_inertia),
                      other_soft = load_softness(second.rotation, second_inertia);
   shared.overlap = at.overlap - load_quad(members.spheres, 0)[1];
   const auto known = load_quad(members.spheres, 3);
   laws::SphereMemoryOf<Lanes> memory{known[0], {{known[1], known[2], known[3]}}};
   turn_with_spheres(memory, at.normal, opening, at.arm, at.other_arm, mine.spin, theirs.spin, shared.elapsed);
-  const auto force = force_at(
-      law, at.normal, opening, [&](const LaneVector& along) { return soft(arm, along) + other_soft(other_arm, along); }, shared,
-      memory);
+  const auto softness = [&](const LaneVector& along) {
+    const Lanes rigid = soft(arm, along) + other_soft(other_arm, along);
+    if (!members.are_strained()) return rigid;
+    return rigid + (strain.softness(first.rotation, along) + other_strain.softness(second.rotation, along));
+  };
+  const auto force = force_at(law, at.normal, opening, softness, shared, memory);
   const LaneVector &friction = memory.friction, dashpot = force.dashpot * at.normal;
   store_quad({memory.dashpot, friction[0], friction[1], friction[2]}, members.spheres, 3);
   const LaneVector total = add_product(force.elastic, at.normal, dashpot + force.friction);

@@ -37,6 +37,8 @@ public:
 
   /// Sum over the spheres of a pair, in the order in which they were added.
   ContactForce force(const Pair& pair) const;
+  /// What that is on the strains of both, which move the tangent points of the spheres.
+  ContactStrainForce strain_force(const Pair& pair, const ContactSurface& surface) const;
 
 private:
   struct Member {

@@ -12,13 +12,28 @@ namespace sazare::methods::blocks {
 struct ContactBody {
   const state::Motion<3>& motion;
   const state::Inertia<3>& inertia;
+  const state::Strain* strain = nullptr;  ///< none where it is rigid
 
-  state::Pose<3> pose() const { return {motion.position, motion.rotation}; }
+  state::StrainedPose pose() const {
+    const state::Pose<3> rigid{motion.position, motion.rotation};
+    return strain == nullptr ? state::StrainedPose(rigid) : state::StrainedPose(rigid, strain->strain);
+  }
 
-  /// 1/mass that the block shows to an impulse along a unit vector at the end of an arm [1/kg].
+  /// Velocity that its strain gives to a point of the undeformed block, in the body frame [m/s].
+  Vector3 straining(const Vector3& place) const {
+    return strain == nullptr ? Vector3(Vector3::Zero()) : Vector3(motion.rotation * (tensor_of(strain->predicted_rate) * place));
+  }
+
+  /// 1/mass that the block shows to an impulse along a unit vector at the end of an arm, were it rigid [1/kg].
   Real softness(const Vector3& arm, const Vector3& direction) const {
     const Vector3 turning = motion.rotation.transpose() * arm.cross(direction);
     return 1 / inertia.mass + turning.cwiseAbs2().dot(inertia.inverse_moments);
+  }
+  /// The same where strain moves the end of the arm as it moves a point of the undeformed block, in the body frame.
+  Real softness(const Vector3& arm, const Vector3& direction, const Vector3& place) const {
+    if (strain == nullptr) return softness(arm, direction);
+    const Vector3 along = motion.rotation.transpose() * direction;
+    return softness(arm, direction) + strain->inverse_inertia * force_on_strain(along, place).squaredNorm();
   }
 };
 
@@ -32,20 +47,26 @@ struct SphereTouchOf {
 };
 using SphereTouch = SphereTouchOf<Real>;
 
-/// The touch of two spheres that know a centre and a radius, on bodies that know a position and a rotation.
-template <class Sphere, class Place, class T = decltype(Sphere::radius)>
-SphereTouchOf<T> touch(const Sphere& a, const Sphere& b, const Place& first, const Place& second) {
-  const VectorOf<T> from = first.position + first.rotation * a.centre;
-  const VectorOf<T> apart = second.position + second.rotation * b.centre - from;
+/// The touch of two spheres that know a radius and where their centre is.
+template <class Sphere, class T = decltype(Sphere::radius)>
+SphereTouchOf<T> touch(const Sphere& a, const Sphere& b) {
+  const VectorOf<T> apart = b.centre - a.centre;
   const T distance = square_root(dot(apart, apart));
   SphereTouchOf<T> at;
   at.overlap = a.radius + b.radius - distance;
   at.normal = (1.0 / distance) * apart;
   at.arm = a.radius - 0.5 * at.overlap;
   at.other_arm = b.radius - 0.5 * at.overlap;
-  at.point = from + at.arm * at.normal;
+  at.point = a.centre + at.arm * at.normal;
   return at;
 }
+
+/// On the strains of both blocks, see terms/strain_forces.hpp.
+struct ContactStrainForce {
+  using Numbers = terms::StrainForces<2, 2>::Numbers;
+
+  Numbers total = Numbers::Zero(), dashpot = Numbers::Zero(), friction = Numbers::Zero();
+};
 
 /// How far two bodies were apart, and where: what they have moved since then tells which spheres cannot touch.
 struct Clearance {
@@ -57,12 +78,12 @@ struct Clearance {
   Index near = 0;                ///< so many of the spheres, the first ones, may touch before it is measured anew
   std::int64_t evaluations = 0;  ///< since it was measured
   Vector3 apart = Vector3::Zero();
-  Matrix3 first = Matrix3::Zero(), second = Matrix3::Zero();
+  Matrix3 first = Matrix3::Zero(), second = Matrix3::Zero();  ///< rotations, or deformation gradients
 
   /// How far any point of either has moved against the other since then, at most [m].
-  Real moved(const state::Pose<3>& a, const state::Pose<3>& b, Real first_reach, Real second_reach) const {
-    return (b.position - a.position - apart).norm() + first_reach * (a.rotation - first).norm() +
-           second_reach * (b.rotation - second).norm();
+  Real moved(const state::StrainedPose& a, const state::StrainedPose& b, Real first_reach, Real second_reach) const {
+    return (b.position - a.position - apart).norm() + first_reach * (a.gradient() - first).norm() +
+           second_reach * (b.gradient() - second).norm();
   }
 };
 

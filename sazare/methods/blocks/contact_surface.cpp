@@ -18,8 +18,8 @@ ContactSphere sphere_around_face(const geometry::Tetrahedron& corners, int face)
 
 }  // namespace
 
-ContactSurface::ContactSurface(Index bodies, int edge_division, Real skin, ContactShape shape)
-    : edge_division_(edge_division), skin_(skin), shape_(shape), open_of_(at(bodies), -1) {}
+ContactSurface::ContactSurface(Index bodies, int edge_division, Real skin, ContactShape shape, bool strained)
+    : edge_division_(edge_division), skin_(skin), shape_(shape), strained_(strained), open_of_(at(bodies), -1) {}
 
 void ContactSurface::open(const FreeFace& face, const geometry::Tetrahedron& corners, const state::Pose<3>& start) {
   Index& open = open_of_[at(face.body)];
@@ -37,11 +37,14 @@ void ContactSurface::open(const FreeFace& face, const geometry::Tetrahedron& cor
   const ContactSphere bound = shape_ == ContactShape::faces ? sphere_around_face(own, face.face) : bounding_sphere(spheres);
   patches_.push_back({face.body, static_cast<Index>(spheres_.size()), static_cast<Index>(spheres.size()), bound});
   spheres_.insert(spheres_.end(), spheres.begin(), spheres.end());
+  if (!strained_) return;
+  const Vector3 normal = geometry::outward_normal(own, face.face);
+  for (const ContactSphere& sphere : spheres) tangent_points_.push_back(sphere.centre + sphere.radius * normal);
 }
 
-Real ContactSurface::moved(Index body, const state::Pose<3>& pose, Real reach) const {
+Real ContactSurface::moved(Index body, const state::StrainedPose& pose, Real reach) const {
   const auto& from = searched_[at(open_of_[at(body)])];
-  return (pose.position - from.position).norm() + reach * (pose.rotation - from.rotation).norm();
+  return (pose.position - from.position).norm() + reach * (pose.gradient() - from.rotation).norm();
 }
 
 void ContactSurface::place_patch(Index number) {
@@ -50,23 +53,22 @@ void ContactSurface::place_patch(Index number) {
   grid_.place(number, pose.position + pose.rotation * patch.bound.centre, patch.bound.radius);
 }
 
-void ContactSurface::place(Index body, const state::Pose<3>& pose) {
+void ContactSurface::place(Index body, const state::StrainedPose& pose) {
   const Index open = open_of_[at(body)];
-  searched_[at(open)] = pose;
+  searched_[at(open)] = {pose.position, pose.gradient()};
   for (const Index patch : patches_of_[at(open)])
     if (patch >= 0) place_patch(patch);
 }
 
-void ContactSurface::match(const Patch& mine, const state::Pose<3>& pose, const Patch& theirs, const state::Pose<3>& other,
-                           NearPair& near) const {
-  const Vector3 bound = other.position + other.rotation * theirs.bound.centre;
+void ContactSurface::match(const Patch& mine, const state::StrainedPose& pose, const Patch& theirs,
+                           const state::StrainedPose& other, NearPair& near) const {
+  const Vector3 bound = other.position + other.gradient() * theirs.bound.centre;
   for (Index i = mine.first_sphere; i < mine.first_sphere + mine.count; ++i) {
-    const ContactSphere& a = sphere(i);
-    const Vector3 centre = pose.position + pose.rotation * a.centre;
-    if ((bound - centre).norm() > a.radius + theirs.bound.radius + skin_) continue;
+    const ContactSphere a = placed(i, pose);
+    if ((bound - a.centre).norm() > a.radius + theirs.bound.radius + skin_) continue;
     for (Index j = theirs.first_sphere; j < theirs.first_sphere + theirs.count; ++j) {
-      const ContactSphere& b = sphere(j);
-      const Real overlap = a.radius + b.radius - (other.position + other.rotation * b.centre - centre).norm();
+      const ContactSphere b = placed(j, other);
+      const Real overlap = a.radius + b.radius - (b.centre - a.centre).norm();
       if (overlap < -skin_) continue;
       const bool in_order = mine.body < theirs.body;
       near.spheres.push_back({in_order ? i : j, in_order ? j : i, std::max(overlap, Real{0}), 0, {}});
@@ -76,19 +78,18 @@ void ContactSurface::match(const Patch& mine, const state::Pose<3>& pose, const 
 
 /// Calls visit(own patch, its centre, another body's patch) for all patches that may be near those of a body.
 template <class Visit>
-void ContactSurface::visit_near(Index body, const state::Pose<3>& pose, Visit&& visit) const {
+void ContactSurface::visit_near(Index body, const state::StrainedPose& pose, Visit&& visit) const {
   for (const Index number : patches_of(body)) {
     if (number < 0) continue;
     const Patch& mine = patches_[at(number)];
-    const Vector3 centre = pose.position + pose.rotation * mine.bound.centre;
+    const Vector3 centre = pose.position + pose.gradient() * mine.bound.centre;
     grid_.visit_near(centre, mine.bound.radius + skin_, [&](Index item) {
       if (patches_[at(item)].body != body) visit(mine, centre, patches_[at(item)]);
     });
   }
 }
 
-std::vector<Index> ContactSurface::candidates(std::span<const Index> searched,
-                                              const std::function<state::Pose<3>(Index)>& pose_of) const {
+std::vector<Index> ContactSurface::candidates(std::span<const Index> searched, const PoseOf& pose_of) const {
   std::vector<Index> near;
   for (const Index body : searched)
     visit_near(body, pose_of(body), [&](const Patch&, const Vector3&, const Patch& theirs) { near.push_back(theirs.body); });
@@ -111,16 +112,16 @@ bool ContactSurface::are_near(Index body, const state::Pose<3>& pose, Index part
 }
 
 std::vector<NearPair> ContactSurface::search(Index body, const std::function<bool(Index)>& skip,
-                                             const std::function<state::Pose<3>(Index)>& pose_of) const {
-  const state::Pose<3> pose = pose_of(body);
+                                             const PoseOf& pose_of) const {
+  const state::StrainedPose pose = pose_of(body);
   std::map<Index, NearPair> by_partner;
   visit_near(body, pose, [&](const Patch& mine, const Vector3& centre, const Patch& theirs) {
     const auto& placed = searched_[at(open_of_[at(theirs.body)])];  // less than half a skin from where it is
     const Real reach = mine.bound.radius + theirs.bound.radius + 1.5 * skin_;
     if ((placed.position + placed.rotation * theirs.bound.centre - centre).squaredNorm() > reach * reach) return;
     if (skip(theirs.body)) return;
-    const state::Pose<3> other = pose_of(theirs.body);
-    const Vector3 apart = other.position + other.rotation * theirs.bound.centre - centre;
+    const state::StrainedPose other = pose_of(theirs.body);
+    const Vector3 apart = other.position + other.gradient() * theirs.bound.centre - centre;
     if (apart.norm() < mine.bound.radius + skin_ + theirs.bound.radius) match(mine, pose, theirs, other, by_partner[theirs.body]);
   });
   std::vector<NearPair> found;
@@ -136,6 +137,7 @@ std::vector<NearPair> ContactSurface::search(Index body, const std::function<boo
 
 void ContactSurface::columns(Archive& archive) {
   archive("spheres", spheres_);
+  if (strained_) archive("tangent_points", tangent_points_);
   archive("patches", patches_);
   archive("patches_of", patches_of_);
   archive("open_of", open_of_);

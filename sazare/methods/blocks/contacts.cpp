@@ -43,8 +43,10 @@ void Contacts::evaluate_batch(const Instant& now, std::span<const Due> due, cons
     }
   }
   batch.evaluate(law_, surface_, bodies.pole);
-  for (const ContactBatch::Pair& pair : batch.pairs())
+  for (const ContactBatch::Pair& pair : batch.pairs()) {
+    if (follows_strains() && pair.touching > 0) write_strain_force(pair.due, batch.strain_force(pair, surface_));
     conclude(now, pair.due, pair.overlap, pair.touching > 0, pair.touching > 0 ? batch.force(pair) : ContactForce{});
+  }
 }
 
 std::vector<NearPair> Contacts::find_near(Index body, const PoseOf& pose_of) const {
@@ -65,12 +67,12 @@ void Contacts::renew(Index pair, NearPair near) {
 }
 
 /// With the gaps of all spheres. Those come first that may touch until the next time; the others forget.
-Real Contacts::find_gap(Index pair, const state::Pose<3>& first, const state::Pose<3>& second, Clearance& clearance) {
+Real Contacts::find_gap(Index pair, const state::StrainedPose& first, const state::StrainedPose& second, Clearance& clearance) {
   std::vector<SpherePair>& spheres = spheres_[at(pair)];
   Real gap = surface_.skin();
   const auto is_near = [&](const SpherePair& each) { return each.gap <= clearance.good; };
   for (SpherePair& each : spheres) {
-    each.gap = -touch(surface_.sphere(each.first), surface_.sphere(each.second), first, second).overlap;
+    each.gap = -touch(surface_.placed(each.first, first), surface_.placed(each.second, second)).overlap;
     gap = std::min(gap, each.gap);
     if (each.gap >= 0) each.initial_overlap = 0;
     if (!is_near(each)) each.memory = {};
@@ -91,10 +93,10 @@ void Contacts::add_energies(const terms::Synchronized<3>& at_time, terms::Energy
   for (std::size_t pair = 0; pair < links_.size(); ++pair) {
     if (!has_energy(pair, at_time)) continue;
     const Link& link = links_[pair];
-    table_.take_back(static_cast<Index>(pair), link, at_time, energies);
+    take_back(static_cast<Index>(pair), at_time, energies);
+    const state::StrainedPose first = pose_at(link.first, at_time), second = pose_at(link.second, at_time);
     for (const SpherePair& sphere : spheres_[pair]) {
-      const SphereTouch touched = touch(surface_.sphere(sphere.first), surface_.sphere(sphere.second),
-                                        at_time.pose_of(link.first), at_time.pose_of(link.second));
+      const SphereTouch touched = touch(surface_.placed(sphere.first, first), surface_.placed(sphere.second, second));
       if (touched.overlap > sphere.initial_overlap)
         energies[terms::EnergyKind::elastic] += laws::sphere_energy(law_, touched.overlap - sphere.initial_overlap);
     }

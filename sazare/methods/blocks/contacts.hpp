@@ -25,7 +25,7 @@ private:
   void begin(Index pair, NearPair near, const PoseOf& pose_of) override;
   void renew(Index pair, NearPair near) override;
   void end(Index pair) override { spheres_[at(pair)].clear(); }
-  Real find_gap(Index pair, const state::Pose<3>& first, const state::Pose<3>& second, Clearance& clearance) override;
+  Real find_gap(Index pair, const state::StrainedPose& first, const state::StrainedPose& second, Clearance& clearance) override;
   void evaluate_batch(const Instant& now, std::span<const Due> due, const state::Bodies<3>& bodies);
 
   laws::SphereContact law_;

@@ -66,7 +66,7 @@ void FaceContacts::begin(Index pair, NearPair near, const PoseOf& pose_of) {
       geometry::shared_depth(placed(near.first, pose_of(near.first)), placed(near.second, pose_of(near.second)));
 }
 
-Real FaceContacts::find_gap(Index pair, const state::Pose<3>& first, const state::Pose<3>& second, Clearance&) {
+Real FaceContacts::find_gap(Index pair, const state::StrainedPose& first, const state::StrainedPose& second, Clearance&) {
   const Link& link = links_[at(pair)];
   const Real gap = geometry::gap(placed(link.first, first), placed(link.second, second));
   if (gap >= 0) faces_[at(pair)] = {};
@@ -165,7 +165,7 @@ void FaceContacts::add_energies(const terms::Synchronized<3>& at_time, terms::En
   for (std::size_t pair = 0; pair < links_.size(); ++pair) {
     if (!has_energy(pair, at_time)) continue;
     const Link& link = links_[pair];
-    table_.take_back(static_cast<Index>(pair), link, at_time, energies);
+    take_back(static_cast<Index>(pair), at_time, energies);
     const Real inset = faces_[pair].initial_depth / 2;
     energies[terms::EnergyKind::elastic] +=
         law_.stiffness * geometry::overlap_weight(placed(link.first, at_time.pose_of(link.first), inset),

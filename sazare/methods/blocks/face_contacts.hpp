@@ -45,7 +45,7 @@ private:
   void begin(Index pair, NearPair near, const PoseOf& pose_of) override;
   void renew(Index, NearPair) override {}
   void end(Index pair) override { faces_[at(pair)] = {}; }
-  Real find_gap(Index pair, const state::Pose<3>& first, const state::Pose<3>& second, Clearance& clearance) override;
+  Real find_gap(Index pair, const state::StrainedPose& first, const state::StrainedPose& second, Clearance& clearance) override;
   void opened(const FreeFace& face, const state::Bodies<3>& bodies) override;
   void add_loosened(Index joint, std::vector<Index>& loosened) const override;
 

@@ -101,14 +101,16 @@ template <class Law>
                                                         std::span<const Due> due, const state::Bodies<3>& bodies) {
   const terms::LaneDue in_lanes = terms::in_lanes(due);
   LanePointers<JointRecord> records;
+  LanePointers<const MasterCorners> corners;
   LanePointers<const state::Motion<3>> masters, slaves;
   LanePointers<const state::Strain> master_strains, slave_strains;
   LanePointers<terms::Slot<3, 1>> slots;
-  LanePointers<terms::StrainForces<2>> strain_slots;
+  LanePointers<terms::StrainForces<2, 1>> strain_slots;
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
     records[lane] = &records_[at(in_lanes[lane].link)];
     masters[lane] = &bodies.motion[at(records[lane]->master)];
     slaves[lane] = &bodies.motion[at(records[lane]->slave)];
+    corners[lane] = &master_corners_[at(in_lanes[lane].link)];
     master_strains[lane] = &bodies.strain[at(records[lane]->master)];
     slave_strains[lane] = &bodies.strain[at(records[lane]->slave)];
     slots[lane] = &table_[in_lanes[lane].link];
@@ -120,7 +122,7 @@ template <class Law>
   const auto joint_of = [&](std::size_t lane) { return in_lanes[lane].link; };
   if constexpr (laws::SoftensBySlip<Law>) path = load_paths(joint_of);
   const StrainedJointForce found =
-      blocks::evaluate_strained(LaneJoints<JointRecord>{records}, parameters(kinds, records, joint_of), path, masters, slaves,
+      blocks::evaluate_strained(LaneJoints<JointRecord>{records}, corners, parameters(kinds, records, joint_of), path, masters, slaves,
                                 {load_strain(master_strains), load_strain(slave_strains)}, bodies.pole, failed, change);
   terms::write(strain_slots, slots, side_by_side(found.total), side_by_side(found.dashpots), failed);
   terms::write(slots, now, in_lanes, found.force.total, found.force.dashpots, failed);
@@ -233,13 +235,15 @@ template <class Law>
   Lanes dashpots_after = terms::work_after(slots, master_ahead, slave_ahead);
   if (!synchronized.strain.empty()) {
     LanePointers<const state::StrainNow> master_strains, slave_strains;
+    LanePointers<const MasterCorners> corners;
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
+      corners[lane] = &master_corners_[at(joint_of(lane))];
       master_strains[lane] = &synchronized.strain[at(records[lane]->master)];
       slave_strains[lane] = &synchronized.strain[at(records[lane]->slave)];
       dashpots_after[static_cast<int>(lane)] +=
-          strain_table_.work_after(joint_of(lane), links_[at(joint_of(lane))], table_, synchronized.strain);
+          strain_table_.work_after(joint_of(lane), links_[at(joint_of(lane))], table_, synchronized.strain)[0];
     }
-    strain_face(joints, load_strain(master_strains), load_strain(slave_strains), at_face);
+    strain_face(joints, corners, load_strain(master_strains), load_strain(slave_strains), at_face);
   }
   Lanes fracture{};  // a law that softens by slip has it among its losses
   if constexpr (laws::SoftensBySlip<Law>)

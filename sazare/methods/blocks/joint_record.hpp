@@ -47,6 +47,14 @@ struct alignas(64) JointRecord {
 };
 static_assert(sizeof(JointRecord) == 24 * sizeof(Real));
 
+/// The vertices of a face as points of its master, in the master's body frame, where the strain of the master moves them [m]. They
+/// are those of the beginning, whatever the joint has slipped, so that slip takes just the work of the shear stress.
+struct alignas(32) MasterCorners {
+  std::array<Vector3, vertex_count> vertex;
+  std::array<Real, 3> unused{};
+};
+static_assert(sizeof(MasterCorners) == 12 * sizeof(Real));
+
 /// What `face_axes` needs besides the normal.
 inline Real face_tilt(const Vector3& normal) { return -1 / (std::copysign(1.0, normal.z()) + normal.z()); }
 

@@ -62,7 +62,7 @@ OuterFaces::OuterFaces(std::vector<OuterFace> faces, std::vector<MovingGround> g
     add_face(matrices[face.body], face.springs);
   }
   for (const auto& [body, sum] : matrices) rates_[static_cast<std::size_t>(body)] = largest_rates(sum, bodies, body);
-  if (!bodies.strain.empty()) strain_table_.forces.resize(faces_.size());
+  strain_table_ = {bodies, faces_.size()};
   table_.causes = {terms::Cause::boundary};
   table_.slots.resize(faces_.size());
   table_.incidence = terms::FixedIncidence(bodies.size(), links_);
@@ -117,7 +117,7 @@ void OuterFaces::evaluate_one(const Instant& now, const Due& due, const GroundSt
     const Vector3 sum = force.spring + force.dashpot - face.springs.corner_area * face.traction[corner];
     dashpots.add_at(point, force.dashpot);  // the ground is the second body
     total.add_at(point, sum);
-    if (strain_table_.forces.empty()) continue;
+    if (!strain_table_.exists) continue;
     const auto on_body = [&](const Vector3& on_ground) {
       return Vector6(-force_on_strain(motion.rotation.transpose() * on_ground, face.springs.corners[corner]));
     };
@@ -125,7 +125,7 @@ void OuterFaces::evaluate_one(const Instant& now, const Due& due, const GroundSt
     dashpots_on_strain += on_body(force.dashpot);
   }
   auto& slot = table_[due.link];
-  if (!strain_table_.forces.empty()) strain_table_[due.link].write(slot.evaluated < 0, total_on_strain, dashpots_on_strain);
+  if (strain_table_.exists) strain_table_[due.link].write(slot.evaluated < 0, total_on_strain, {dashpots_on_strain});
   terms::write<3, 1>(slot, now, due, total, {dashpots});
   if (!ground_work_.empty()) count_work(due, now, ground);
 }
@@ -186,8 +186,8 @@ void OuterFaces::add_dissipated(const terms::Synchronized<3>& at, const std::fun
     const auto boundary = static_cast<std::size_t>(face.boundary);
     by_boundary[boundary] -= work_on(face.body) * (face.springs.corner_area / area[face.body]);
     by_boundary[boundary] += table_.work_after(static_cast<Index>(i), links_[i], at)[0];
-    if (!strain_table_.forces.empty())
-      by_boundary[boundary] += strain_table_.work_after(static_cast<Index>(i), links_[i], table_, at.strain);
+    if (strain_table_.exists)
+      by_boundary[boundary] += strain_table_.work_after(static_cast<Index>(i), links_[i], table_, at.strain)[0];
     if (!ground_work_.empty()) by_boundary[boundary] += dissipated_by_ground(i, ground_now[boundary]);
   }
 }
@@ -208,13 +208,13 @@ std::vector<Vector3> OuterFaces::forces(Real time, const std::function<BodyMotio
 
 void OuterFaces::carry(Index link, Parcel& parcel) {
   parcel(table_[link]);
-  if (!strain_table_.forces.empty()) parcel(strain_table_[link]);
+  strain_table_.carry(link, parcel);
   if (!ground_work_.empty()) parcel(ground_work_[static_cast<std::size_t>(link)]);
 }
 
 void OuterFaces::columns(Archive& archive) {
   archive("slots", table_.slots);
-  if (!strain_table_.forces.empty()) archive("strain_forces", strain_table_.forces);
+  strain_table_.columns(archive);
   if (!ground_work_.empty()) archive("ground_work", ground_work_);
 }
 

@@ -103,7 +103,7 @@ private:
   std::vector<Link> links_;
   std::vector<terms::Rates> rates_;
   terms::SlotTable<3, 1, terms::FixedIncidence> table_;
-  terms::StrainTable<1> strain_table_;
+  terms::StrainTable<1, 1> strain_table_;
 };
 
 }  // namespace sazare::methods::blocks

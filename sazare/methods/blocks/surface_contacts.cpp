@@ -20,10 +20,8 @@ SurfaceContacts::SurfaceContacts(const laws::SphereContact& law, const BlockCont
     : law_(law), contacts_(&contacts), reach_(bodies.reach), link_of_(at(bodies.size()), -1) {
   table_.causes = {terms::Cause::contact_dashpot, terms::Cause::friction};
   table_.incidence = terms::ChangingIncidence(bodies.size());
-  for (std::size_t body = 0; body < reach_.size(); ++body) {
-    const auto& inertia = bodies.inertia[body];
-    softness_.push_back(1 / inertia.mass + reach_[body] * reach_[body] * inertia.inverse_moments.maxCoeff());
-  }
+  strain_table_ = {bodies, 0};
+  for (Index body = 0; body < bodies.size(); ++body) softness_.push_back(largest_softness(bodies, body));
 }
 
 void SurfaceContacts::attach(std::vector<Vector3> nodes, std::vector<std::array<Index, 3>> faces) {
@@ -96,13 +94,13 @@ void SurfaceContacts::evaluate(const Instant& now, std::span<const Due> due, con
 }
 
 /// The faces within the radius of a sphere. Returns by how much it overlaps the nearest one.
-Real SurfaceContacts::find_near(const ContactSphere& sphere, const Vector3& centre, std::span<const std::int32_t> faces,
-                                Real seconds, std::vector<geometry::NearFacet>& near) const {
+Real SurfaceContacts::find_near(const ContactSphere& sphere, std::span<const std::int32_t> faces, Real seconds,
+                                std::vector<geometry::NearFacet>& near) const {
   near.clear();
   Real deepest = 0;
   for (const std::int32_t face : faces) {
-    const auto point = geometry::nearest_on(surface_.corners(static_cast<std::size_t>(face), seconds), centre);
-    const Real distance = (point.place - centre).norm();
+    const auto point = geometry::nearest_on(surface_.corners(static_cast<std::size_t>(face), seconds), sphere.centre);
+    const Real distance = (point.place - sphere.centre).norm();
     if (!(distance < sphere.radius) || !(distance > 0) || complex_.facets()[static_cast<std::size_t>(face)].count == 0) continue;
     near.push_back({face, point, distance});
     deepest = std::max(deepest, sphere.radius - distance);
@@ -116,10 +114,11 @@ void SurfaceContacts::find_met(const ContactBody& body, Near& near, Real seconds
   thread_local std::vector<geometry::NearFacet> faces;
   thread_local geometry::FacetPoints found;
   met.clear();
+  const state::StrainedPose pose = body.pose();
   for (Sphere& one : near.spheres) {
-    const ContactSphere& sphere = contacts_->surface().sphere(one.number);
-    const Vector3 centre = body.motion.position + body.motion.rotation * sphere.centre;
-    const Real deepest = find_near(sphere, centre, near.faces, seconds, faces);
+    const ContactSphere sphere = contacts_->surface().placed(one.number, pose);
+    const Vector3& centre = sphere.centre;
+    const Real deepest = find_near(sphere, near.faces, seconds, faces);
     one.initial_overlap = one.is_known != 0 ? std::min(one.initial_overlap, deepest) : deepest;
     one.is_known = 1;
     const Real radius = sphere.radius - one.initial_overlap;
@@ -127,8 +126,9 @@ void SurfaceContacts::find_met(const ContactBody& body, Near& near, Real seconds
     if (faces.empty()) continue;
     found.find(
         complex_, [&](Index node) { return surface_.place(node, seconds); }, centre, radius, radius, faces);
+    const Vector3 tangent = body.strain != nullptr ? contacts_->surface().tangent_point(one.number) : Vector3(Vector3::Zero());
     for (const geometry::FacetPoint& point : found.points())
-      met.push_back({point, radius - point.distance, one.number, centre});
+      met.push_back({point, radius - point.distance, one.number, centre, tangent});
   }
 }
 
@@ -175,8 +175,8 @@ const SurfaceContacts::Push& SurfaceContacts::push(const ContactBody& body, cons
     touch.memory.turn(normal, tilt, shared.elapsed * face.spin().dot(normal));
     touch.normal = normal;
     const laws::SphereForce given = force_at(
-        law_, normal, face.velocity() - body.motion.velocity_at(arm),
-        [&](const Vector3& along) { return body.softness(arm, along); }, shared, touch.memory);
+        law_, normal, face.velocity() - body.motion.velocity_at(arm) - body.straining(met.tangent),
+        [&](const Vector3& along) { return body.softness(arm, along, met.tangent); }, shared, touch.memory);
     push.dashpot = met.point.share * given.dashpot * normal;
     push.friction = met.point.share * given.friction;
   }
@@ -192,8 +192,7 @@ Vector3 SurfaceContacts::push_by_slope(const Met& met, Near& near) const {
 }
 
 void SurfaceContacts::evaluate_one(const Instant& now, const Due& due, const state::Bodies<3>& bodies) {
-  const Index number = links_[at(due.link)].first;
-  const ContactBody body{bodies.motion[at(number)], bodies.inertia[at(number)]};
+  const ContactBody body = this->body(links_[at(due.link)].first, bodies);
   Near& near = near_[at(due.link)];
   near.pushes.clear();
   near.elastic = 0;
@@ -205,6 +204,7 @@ void SurfaceContacts::evaluate_one(const Instant& now, const Due& due, const sta
   shared.step = std::max(due.acting, 2 * due.ahead);
   shared.elapsed = due.acting;
   ContactForce force;
+  StrainForce on_strain;
   for (const Met& one : met) {
     const Push& given = push(body, one, time(now), shared, near);
     const Vector3 point = one.point.place - bodies.pole;
@@ -212,13 +212,28 @@ void SurfaceContacts::evaluate_one(const Instant& now, const Due& due, const sta
     force.friction.add_at(point, given.friction);
     force.total.add_at(point, given.total);
     if (!one.point.slope.isZero(0)) force.total.add_at(one.centre - bodies.pole, push_by_slope(one, near));
+    if (strain_table_.exists) on_strain.add(near.pushes.back(), one.tangent, body.motion.rotation);
   }
   std::erase_if(near.touches, [](const Touch& touch) { return touch.is_touching == 0; });
   auto& slot = table_[due.link];
-  if (met.empty())
-    slot = {};
-  else
-    terms::write<3, 2>(slot, now, due, force.total, {force.dashpot, force.friction});
+  if (met.empty()) return clear(due.link);
+  if (strain_table_.exists)
+    strain_table_[due.link].write(slot.evaluated < 0, on_strain.total, {on_strain.dashpot, on_strain.friction});
+  terms::write<3, 2>(slot, now, due, force.total, {force.dashpot, force.friction});
+}
+
+/// What pushes the surface pushes the block back.
+void SurfaceContacts::StrainForce::add(const Push& push, const Vector3& tangent, const Matrix3& rotation) {
+  const auto on_block = [&](const Vector3& force) { return Vector6(-force_on_strain(rotation.transpose() * force, tangent)); };
+  total += on_block(push.total);
+  dashpot += on_block(push.dashpot);
+  friction += on_block(push.friction);
+}
+
+/// A block has no force from the surface any more.
+void SurfaceContacts::clear(Index link) {
+  table_[link] = {};
+  strain_table_.clear(link);
 }
 
 void SurfaceContacts::gather(const Instant& now, std::span<const Index> which, const state::Bodies<3>&,
@@ -226,6 +241,11 @@ void SurfaceContacts::gather(const Instant& now, std::span<const Index> which, c
   for (std::size_t i = 0; i < which.size(); ++i)
     if (const Index link = link_of_[at(which[i])]; link >= 0 && table_[link].evaluated >= 0)
       table_.gather_one(now, which[i], i, sum[i], parts);
+}
+
+void SurfaceContacts::gather_strain(const Instant& now, Index body, terms::StrainGathered& sum) const {
+  if (const Index link = link_of_[at(body)]; link >= 0 && table_[link].evaluated >= 0)
+    strain_table_.gather(now, body, table_, sum);
 }
 
 /// Faces that have opened may touch at once.
@@ -239,7 +259,8 @@ void SurfaceContacts::post_base_step(const Instant& now, const state::Bodies<3>&
   Real fastest = 0;
   for (const Index body : contacts_->surface().bodies()) {
     const auto& motion = bodies.motion[at(body)];
-    fastest = std::max(fastest, motion.velocity.norm() + reach_[at(body)] * motion.spin.norm());
+    const Real straining = strain_table_.exists ? bodies.strain[at(body)].rate.norm() : 0;
+    fastest = std::max(fastest, motion.velocity.norm() + reach_[at(body)] * (motion.spin.norm() + straining));
   }
   const Real next = step * (fastest + surface_.largest_speed());
   travel_ += next;
@@ -260,11 +281,11 @@ void SurfaceContacts::search(const Instant& now, const state::Bodies<3>& bodies,
     grid.place(static_cast<Index>(face), middle, radius);
   }
   for (const Index body : contacts_->surface().bodies())
-    take_over(body, near_to(body, state::pose_at(bodies.motion[at(body)], now), grid, triangles), changes);
+    take_over(body, near_to(body, state::strained_pose_at(bodies, body, now), grid, triangles), changes);
 }
 
 /// Faces near a block, and those of its spheres that are near one of them.
-SurfaceContacts::Near SurfaceContacts::near_to(Index body, const state::Pose<3>& pose, const neighbors::SphereGrid& grid,
+SurfaceContacts::Near SurfaceContacts::near_to(Index body, const state::StrainedPose& pose, const neighbors::SphereGrid& grid,
                                                std::span<const geometry::Triangle> triangles) const {
   const ContactSurface& open = contacts_->surface();
   const Real reach = reach_[at(body)] + open.skin();
@@ -278,9 +299,8 @@ SurfaceContacts::Near SurfaceContacts::near_to(Index body, const state::Pose<3>&
   std::ranges::sort(found.faces);
   if (found.faces.empty()) return found;
   open.visit_spheres(body, [&](Index number) {
-    const ContactSphere& sphere = open.sphere(number);
-    const Vector3 centre = pose.position + pose.rotation * sphere.centre;
-    const auto is_near = [&](std::int32_t face) { return distance(face, centre) <= sphere.radius + open.skin(); };
+    const ContactSphere sphere = open.placed(number, pose);
+    const auto is_near = [&](std::int32_t face) { return distance(face, sphere.centre) <= sphere.radius + open.skin(); };
     if (std::ranges::any_of(found.faces, is_near)) found.spheres.push_back({number, 0, 0});
   });
   return found;
@@ -296,12 +316,13 @@ void SurfaceContacts::take_over(Index body, Near found, terms::Changes& changes)
     links_.push_back({body, Link::outside});
     near_.emplace_back();
     table_.slots.emplace_back();
+    strain_table_.begin(link);
     table_.incidence.list(body).push_back({link, 0});
   }
   Near& near = near_[at(link)];
   if (!found.is_near()) {
     near = {};
-    table_[link] = {};
+    clear(link);
     changes.ended_links.push_back(link);
     changes.softer.push_back(body);
     return;
@@ -326,6 +347,7 @@ terms::Rates SurfaceContacts::rates(Index body) const {
 void SurfaceContacts::add_energies(const terms::Synchronized<3>& at_time, terms::EnergySums& energies) const {
   for (std::size_t link = 0; link < links_.size(); ++link) {
     table_.take_back(static_cast<Index>(link), links_[link], at_time, energies);
+    strain_table_.take_back(static_cast<Index>(link), links_[link], table_, at_time, energies);
     energies[terms::EnergyKind::elastic] += near_[link].elastic;
   }
   const Work ahead = work_ahead();
@@ -341,6 +363,7 @@ void SurfaceContacts::columns(Archive& archive) {
   archive("link_of", link_of_);
   archive("links", links_);
   archive("slots", table_.slots);
+  strain_table_.columns(archive);
   archive("impulse", impulse_);
   std::vector<Work> work{work_};
   archive("work", work);

@@ -7,6 +7,8 @@
 /// The law is that of two touching spheres (laws/sphere_contact.hpp), the surface showing no softness. What a sphere overlaps
 /// when it first meets the surface gives no force until they part.
 ///
+/// The strain of a deformable block moves its spheres as in its contact with other blocks.
+///
 /// A link is a block near the surface, and has the block's time level. Impulses on the nodes are counted as those of the block
 /// are, from the middle of one interval to the middle of the next; at a base step the part that acts later is set aside.
 
@@ -41,11 +43,16 @@ public:
   void evaluate(const Instant& now, std::span<const Due> due, const state::Bodies<3>& bodies) override;
   void gather(const Instant& now, std::span<const Index> which, const state::Bodies<3>& bodies, std::span<state::Impulse<3>> sum,
               terms::CauseImpulses<3>& parts) const override;
+  bool acts_on_strains() const override { return strain_table_.exists; }
+  void gather_strain(const Instant& now, Index body, terms::StrainGathered& sum) const override;
   void post_step(const Instant& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
   void post_base_step(const Instant& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
   terms::Rates rates(Index body) const override;
   void add_energies(const terms::Synchronized<3>& at, terms::EnergySums& energies) const override;
-  void carry(Index link, Parcel& parcel) override { parcel(table_[link]); }
+  void carry(Index link, Parcel& parcel) override {
+    parcel(table_[link]);
+    strain_table_.carry(link, parcel);
+  }
   void columns(Archive& archive) override;
 
 private:
@@ -83,6 +90,13 @@ private:
     Real overlap = 0;  ///< beyond its initial overlap [m]
     Index sphere = 0;
     Vector3 centre;    ///< of the sphere [m]
+    Vector3 tangent = Vector3::Zero();  ///< tangent point of the sphere, of a deformable block [m]
+  };
+  /// On the strain of a block.
+  struct StrainForce {
+    Vector6 total = Vector6::Zero(), dashpot = Vector6::Zero(), friction = Vector6::Zero();
+
+    void add(const Push& push, const Vector3& tangent, const Matrix3& rotation);
   };
   /// Work of the surface on the blocks, in all and by causes [J].
   struct Work {
@@ -92,15 +106,19 @@ private:
 
   Real time(const Instant& now) const { return now.seconds_since(led_); }
   void search(const Instant& now, const state::Bodies<3>& bodies, terms::Changes& changes);
-  Near near_to(Index body, const state::Pose<3>& pose, const neighbors::SphereGrid& grid,
+  Near near_to(Index body, const state::StrainedPose& pose, const neighbors::SphereGrid& grid,
                std::span<const geometry::Triangle> triangles) const;
   void take_over(Index body, Near found, terms::Changes& changes);
+  void clear(Index link);
   void evaluate_one(const Instant& now, const Due& due, const state::Bodies<3>& bodies);
   void find_met(const ContactBody& body, Near& near, Real seconds, std::vector<Met>& met) const;
+  ContactBody body(Index number, const state::Bodies<3>& bodies) const {
+    return {bodies.motion[at(number)], bodies.inertia[at(number)], strain_table_.exists ? &bodies.strain[at(number)] : nullptr};
+  }
   static Touch& touch_of(const Met& met, Near& near);
   const Push& push(const ContactBody& body, const Met& met, Real seconds, laws::SphereMotion shared, Near& near) const;
   Vector3 push_by_slope(const Met& met, Near& near) const;
-  Real find_near(const ContactSphere& sphere, const Vector3& centre, std::span<const std::int32_t> faces, Real seconds,
+  Real find_near(const ContactSphere& sphere, std::span<const std::int32_t> faces, Real seconds,
                  std::vector<geometry::NearFacet>& near) const;
   Vector3 velocity(const Push& push) const;
   Work work_ahead() const;
@@ -122,6 +140,7 @@ private:
   Real travel_ = 0;  ///< of any block or node since the last search, at most, and what it will be at the next base step [m]
   std::int64_t known_spheres_ = -1;  ///< of open faces at the last search
   terms::SlotTable<3, 2, terms::ChangingIncidence> table_;
+  terms::StrainTable<1, 2> strain_table_;
 };
 
 }  // namespace sazare::methods::blocks

@@ -74,7 +74,7 @@ ContactForce one_by_one(Rubble& rubble, Index pair) {
   std::vector<std::pair<SphereTouch, SpherePair*>> touching;
   for (SpherePair& spheres : rubble.spheres[static_cast<std::size_t>(pair)]) {
     const auto at =
-        touch(rubble.surface.sphere(spheres.first), rubble.surface.sphere(spheres.second), first.pose(), second.pose());
+        touch(rubble.surface.placed(spheres.first, first.pose()), rubble.surface.placed(spheres.second, second.pose()));
     if (at.overlap > spheres.initial_overlap) touching.emplace_back(at, &spheres);
   }
   laws::SphereMotion shared;

@@ -168,7 +168,7 @@ TEST(contact_surface, how_far_a_body_moved_bounds_how_far_any_of_its_points_did)
   Real farthest = 0;
   for (const Vector3& corner : corners) farthest = std::max(farthest, (moved.position + moved.rotation * corner - corner).norm());
   EXPECT_GE(surface.moved(0, moved, std::sqrt(3.0)), farthest);
-  EXPECT_EQ(surface.moved(0, {Vector3::Zero(), Matrix3::Identity()}, std::sqrt(3.0)), 0);
+  EXPECT_EQ(surface.moved(0, state::Pose<3>{Vector3::Zero(), Matrix3::Identity()}, std::sqrt(3.0)), 0);
 }
 
 }  // namespace

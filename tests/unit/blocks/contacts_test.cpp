@@ -121,7 +121,7 @@ Real energy_of_all_spheres(const runs::BlocksModel& model, Real stiffness) {
   Real energy = 0;
   surface.visit_spheres(0, [&](Index a) {
     surface.visit_spheres(1, [&](Index b) {
-      const Real overlap = touch(surface.sphere(a), surface.sphere(b), pose[0], pose[1]).overlap;
+      const Real overlap = touch(surface.placed(a, pose[0]), surface.placed(b, pose[1])).overlap;
       if (overlap > 0) energy += 0.5 * stiffness * overlap * overlap;
     });
   });

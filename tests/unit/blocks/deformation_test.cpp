@@ -159,6 +159,54 @@ TEST(deformation, dashpots_of_joints_take_energy_and_resist_no_rigid_motion) {
   EXPECT_LT(rigid.probe.forces()[0].linear.norm(), 1e-5 * with[0].linear.norm());
 }
 
+/// Moves, turns and strains both blocks along a path; `share` goes from 0 to 1.
+void take_along_path(StrainedPair& pair, const StrainedPair& start, Real share) {
+  const Real swing = std::sin(6 * share), other = std::cos(5 * share) - 1;
+  pair.bodies = start.bodies;
+  pair.bodies.motion[1].position += Vector3(-4e-6 * share, 3e-5 * swing, 2e-5 * other);
+  pair.turn(0, Vector3(1e-4 * swing, 2e-4 * other, 0));
+  pair.bodies.strain[0].strain << 2e-2 * swing, -1e-2 * other, 0, 5e-3 * swing, 0, 1e-2 * other;
+  pair.bodies.strain[1].strain << -2e-2 * other, 0, 1e-2 * swing, 0, 4e-3 * other, 0;
+}
+
+/// The work of the forces along a path in which the joint slips, which is what it stores and takes.
+TEST(deformation, joints_that_slip_take_what_the_forces_do) {
+  auto blocks = StrainedPair::rock(0);
+  blocks.joints[0].cohesion = 1e6;
+  blocks.joints[0].friction_coefficient = 0.3;
+  std::array<Real, 2> off{};
+  for (int fine = 0; fine < 2; ++fine) {
+    StrainedPair pair(blocks, test::two_blocks()), start(blocks, test::two_blocks());
+    const int steps = fine == 0 ? 4000 : 16000;
+    Real work = 0;
+    state::Bodies<3> before = start.bodies;
+    auto forces_before = pair.probe.forces();
+    std::array<Vector6, 2> strain_forces_before{pair.probe.force_on_strain(0), pair.probe.force_on_strain(1)};
+    for (int step = 1; step <= steps; ++step) {
+      take_along_path(pair, start, static_cast<Real>(step) / steps);
+      const auto forces = pair.probe.forces();
+      for (const Index body : {0, 1}) {
+        const std::size_t b = at(body);
+        const Vector6 on_strain = pair.probe.force_on_strain(body);
+        const Matrix3 turned = pair.bodies.motion[b].rotation * before.motion[b].rotation.transpose();
+        const Vector3 angle = 0.5 * Vector3(turned(2, 1) - turned(1, 2), turned(0, 2) - turned(2, 0), turned(1, 0) - turned(0, 1));
+        work -= 0.5 * (forces[b].linear + forces_before[b].linear).dot(pair.bodies.motion[b].position - before.motion[b].position);
+        work -= 0.5 * (forces[b].angular + forces_before[b].angular).dot(angle);
+        work -= 0.5 * (on_strain + strain_forces_before[b]).dot(pair.bodies.strain[b].strain - before.strain[b].strain);
+        strain_forces_before[b] = on_strain;
+      }
+      forces_before = forces;
+      before = pair.bodies;
+    }
+    const auto energy = pair.probe.energy_balance();
+    const Real found = energy[EnergyKind::elastic] + energy[EnergyKind::slip];
+    EXPECT_GT(energy[EnergyKind::slip], 0.1 * work);
+    off[at(fine)] = std::abs(found - work) / work;
+  }
+  EXPECT_LT(off[0], 1e-2);
+  EXPECT_LT(off[1], 0.35 * off[0]) << off[0];
+}
+
 TEST(deformation, boundaries_pull_at_strains_as_the_slope_of_their_energy) {
   StrainedPair pair;
   OuterFace face;

@@ -26,7 +26,7 @@ ChargeGas::ChargeGas(std::vector<Charge> charges, std::vector<ChargedFace> faces
   table_.causes = {terms::Cause::load};
   table_.slots.resize(faces_.size());
   table_.incidence = terms::FixedIncidence(bodies.size(), links_);
-  if (!bodies.strain.empty()) strain_table_.forces.resize(faces_.size());
+  strain_table_ = {bodies, faces_.size()};
 }
 
 namespace {
@@ -94,9 +94,9 @@ ChargeGas::Told ChargeGas::move(const Due& due, const Instant& now, const state:
   wetted.pressure = pressure;
   terms::PairForce<3> total;
   total.add_at(motion.position - bodies.pole + arm, pressure * area);  // on the outside, the second body
-  if (!strain_table_.forces.empty()) {
+  if (strain_table_.exists) {
     const Vector6 on_body = -force_on_strain(motion.rotation.transpose() * (pressure * area), face.centre);
-    strain_table_[due.link].write(table_[due.link].evaluated < 0, on_body, on_body);
+    strain_table_[due.link].write(table_[due.link].evaluated < 0, on_body, {});
   }
   terms::write<3, 0>(table_[due.link], now, due, total, {});
   const Real rate = -area.dot(motion.velocity_at(arm) + straining);
@@ -174,7 +174,7 @@ void ChargeGas::add_energies(const terms::Synchronized<3>& at, terms::EnergySums
 void ChargeGas::carry(Index link, Parcel& parcel) {
   parcel(wetted_[at(link)]);
   parcel(table_[link]);
-  if (!strain_table_.forces.empty()) parcel(strain_table_[link]);
+  strain_table_.carry(link, parcel);
 }
 
 void ChargeGas::columns(Archive& archive) {
@@ -182,7 +182,7 @@ void ChargeGas::columns(Archive& archive) {
   archive("told", told_);
   archive("collars", collars_);
   archive("slots", table_.slots);
-  if (!strain_table_.forces.empty()) archive("strain_forces", strain_table_.forces);
+  strain_table_.columns(archive);
   if (archive.reading()) sum_up();
 }
 

@@ -136,7 +136,7 @@ private:
   std::vector<TakenByCracks> taken_;  ///< of the charges
   Real first_delay_ = 0;              ///< [s]
   terms::SlotTable<3, 0, terms::FixedIncidence> table_;
-  terms::StrainTable<1> strain_table_;
+  terms::StrainTable<1, 0> strain_table_;
 };
 
 }  // namespace sazare::methods::blocks

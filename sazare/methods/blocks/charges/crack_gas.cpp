@@ -18,11 +18,9 @@ CrackGas::CrackGas(ChargeGas& charges, const BondedFaces& joints, GasFaces faces
     const geometry::InteriorFace& face = network_.face(number);
     joint_of_.push_back(joints.joint_at(face.element_i, face.face_i));
   }
-  for (std::size_t body = 0; body < rates_.size(); ++body) {
-    const auto& inertia = bodies.inertia[body];
-    has_crack_.push_back(0);
-    softness_.push_back(1 / inertia.mass + bodies.reach[body] * bodies.reach[body] * inertia.inverse_moments.maxCoeff());
-  }
+  strain_table_ = {bodies, 0};
+  has_crack_.resize(rates_.size(), 0);
+  for (Index body = 0; body < bodies.size(); ++body) softness_.push_back(largest_softness(bodies, body));
 }
 
 std::vector<Index> CrackGas::first_links() const {
@@ -43,12 +41,21 @@ CrackGas::Faces CrackGas::faces_of(const GasCrack& crack, const state::Bodies<3>
           second * (centre - bodies.start[at(face.element_j)])};
 }
 
+/// Where the points of a body are at its own time. A strained face keeps its area and its normal in the body frame.
+state::StrainedPose CrackGas::pose_of(Index body, const state::Bodies<3>& bodies) const {
+  const auto& motion = bodies.motion[at(body)];
+  const state::Pose<3> rigid{motion.position, motion.rotation};
+  if (!strain_table_.exists) return rigid;
+  return {rigid, bodies.strain[at(body)].strain};
+}
+
 CrackGas::Place CrackGas::place_of(const GasCrack& crack, const Faces& faces, const state::Bodies<3>& bodies) const {
   const geometry::InteriorFace& face = network_.face_of(crack);
   const auto &first = bodies.motion[at(face.element_i)], &second = bodies.motion[at(face.element_j)];
+  const state::StrainedPose own = pose_of(face.element_i, bodies), other = pose_of(face.element_j, bodies);
   Place place;
-  place.first = first.position + first.rotation * faces.first_centre;
-  place.second = second.position + second.rotation * faces.second_centre;
+  place.first = own.position + own.gradient() * faces.first_centre;
+  place.second = other.position + other.gradient() * faces.second_centre;
   const Vector3 first_area = first.rotation * faces.first_area, second_area = second.rotation * faces.second_area;
   const Vector3 normal = (first_area + second_area).normalized(), between = place.second - place.first;
   const bool face_each_other = first_area.dot(second_area) > 0.5 * first_area.squaredNorm();
@@ -73,25 +80,49 @@ void CrackGas::evaluate(const Instant& now, std::span<const Due> due, const stat
   });
 }
 
+void CrackGas::gather_strain(const Instant& now, Index body, terms::StrainGathered& sum) const {
+  if (has_crack_[at(body)] != 0) strain_table_.gather(now, body, table_, sum);
+}
+
+/// The points of both bodies where a crack is pushed, in their frames and as if they were not strained.
+void CrackGas::push_at(const Vector3& place, const state::StrainedPose& first, const state::StrainedPose& second,
+                       Pushed& pushed) const {
+  const auto point_of = [&](const state::StrainedPose& body) -> Vector3 {
+    if (strain_table_.exists) return body.gradient().inverse() * (place - body.position);
+    return body.rotation.transpose() * (place - body.position);
+  };
+  pushed.first = point_of(first);
+  pushed.second = point_of(second);
+}
+
 /// Takes a crack to where its faces are now, and writes its force. The point where it was moves with both bodies: that is the
 /// work, with the mean of the force before and now.
 void CrackGas::move(const Due& due, const Instant& now, const state::Bodies<3>& bodies) {
   const GasCrack& crack = network_.crack(due.link);
   const Link& link = links_[at(due.link)];
   Pushed& pushed = pushed_[at(due.link)];
-  const auto &first = bodies.motion[at(link.first)], &second = bodies.motion[at(link.second)];
+  const state::StrainedPose first = pose_of(link.first, bodies), second = pose_of(link.second, bodies);
   const Place place = place_of(crack, faces_[at(due.link)], bodies);
-  const Vector3 parted = (second.position + second.rotation * pushed.second) - (first.position + first.rotation * pushed.first);
+  const Vector3 parted = (second.position + second.gradient() * pushed.second) - (first.position + first.gradient() * pushed.first);
   const Real soon = network_.pressure(crack, place.volume, pushed.work + pushed.force.dot(parted));
   pushed.work += 0.5 * (pushed.force + soon * place.push).dot(parted);
   pushed.force = network_.pressure(crack, place.volume, pushed.work) * place.push;
-  pushed.first = first.rotation.transpose() * (place.middle() - first.position);
-  pushed.second = second.rotation.transpose() * (place.middle() - second.position);
+  push_at(place.middle(), first, second, pushed);
   pushed.width = place.width;
   pushed.apart = place.apart;
   terms::PairForce<3> total;
   total.add_at(place.middle() - bodies.pole, pushed.force);
+  if (strain_table_.exists) write_strain_force(due, pushed, bodies);
   terms::write<3, 0>(table_[due.link], now, due, total, {});
+}
+
+void CrackGas::write_strain_force(const Due& due, const Pushed& pushed, const state::Bodies<3>& bodies) {
+  const auto turned_back = [&](Index body) { return Vector3(bodies.motion[at(body)].rotation.transpose() * pushed.force); };
+  const Link& link = links_[at(due.link)];
+  terms::StrainForces<2, 0>::Numbers on_both;
+  on_both.head<6>() = -force_on_strain(turned_back(link.first), pushed.first);
+  on_both.tail<6>() = force_on_strain(turned_back(link.second), pushed.second);
+  strain_table_[due.link].write(table_[due.link].evaluated < 0, on_both, {});
 }
 
 void CrackGas::post_base_step(const Instant& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) {
@@ -135,6 +166,7 @@ void CrackGas::end_gaping_ones(terms::Changes& changes) {
     if (crack.apart <= widest) continue;
     network_.end(number);
     table_[number] = {};
+    strain_table_.clear(number);
     for (const Index body : {links_[at(number)].first, links_[at(number)].second})
       std::erase_if(table_.incidence.list(body), [&](const terms::SlotSide& side) { return side.slot == number; });
     changes.ended_links.push_back(number);
@@ -164,12 +196,12 @@ void CrackGas::open_new(const Instant& now, const state::Bodies<3>& bodies, term
     changes.new_links.push_back(static_cast<Index>(links_.size()));
     add_link(crack);
     faces_.push_back(faces);
-    const auto &first = bodies.motion[at(links_.back().first)], &second = bodies.motion[at(links_.back().second)];
-    pushed_.push_back({.first = first.rotation.transpose() * (place.middle() - first.position),
-                       .second = second.rotation.transpose() * (place.middle() - second.position),
-                       .width = place.width,
-                       .apart = place.apart});
+    Pushed& pushed = pushed_.emplace_back();
+    push_at(place.middle(), pose_of(links_.back().first, bodies), pose_of(links_.back().second, bodies), pushed);
+    pushed.width = place.width;
+    pushed.apart = place.apart;
     table_.slots.emplace_back();
+    strain_table_.begin(static_cast<Index>(links_.size()) - 1);
   }
 }
 
@@ -211,12 +243,16 @@ void CrackGas::find_rates(terms::Changes& changes) {
 
 void CrackGas::add_energies(const terms::Synchronized<3>& at, terms::EnergySums& energies) const {
   for (std::size_t crack = 0; crack < links_.size(); ++crack)
-    if (at.counts(links_[crack])) table_.take_back(static_cast<Index>(crack), links_[crack], at, energies);
+    if (at.counts(links_[crack])) {
+      table_.take_back(static_cast<Index>(crack), links_[crack], at, energies);
+      strain_table_.take_back(static_cast<Index>(crack), links_[crack], table_, at, energies);
+    }
 }
 
 void CrackGas::carry(Index link, Parcel& parcel) {
   parcel(pushed_[at(link)]);
   parcel(table_[link]);
+  strain_table_.carry(link, parcel);
 }
 
 void CrackGas::columns(Archive& archive) {
@@ -224,6 +260,7 @@ void CrackGas::columns(Archive& archive) {
   archive("pushed", pushed_);
   archive("faces", faces_);
   archive("slots", table_.slots);
+  strain_table_.columns(archive);
   archive("rates", rates_);
   archive("last_base", last_base_);
   if (!archive.reading()) return;

@@ -42,6 +42,8 @@ public:
   void evaluate(const Instant& now, std::span<const Due> due, const state::Bodies<3>& bodies) override;
   void gather(const Instant& now, std::span<const Index> which, const state::Bodies<3>&, std::span<terms::Impulse<3>> sum,
               terms::CauseImpulses<3>& parts) const override;
+  bool acts_on_strains() const override { return strain_table_.exists; }
+  void gather_strain(const Instant& now, Index body, terms::StrainGathered& sum) const override;
   void post_base_step(const Instant& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
   terms::Rates rates(Index body) const override { return {rates_[at(body)], 0}; }
   void add_energies(const terms::Synchronized<3>& at, terms::EnergySums& energies) const override;
@@ -58,7 +60,7 @@ private:
   };
   /// What a crack remembers of its last evaluation.
   struct Pushed {
-    Vector3 first, second;            ///< where the force is, in the frames of both bodies [m]
+    Vector3 first, second;            ///< where the force is, in the frames of both bodies as if these were not strained [m]
     Vector3 force = Vector3::Zero();  ///< on the second body [N]
     Real work = 0;                    ///< since the last base step [J]
     Real width = 0;                   ///< [m]
@@ -80,8 +82,11 @@ private:
     Vector3 middle() const { return 0.5 * (first + second); }
   };
 
+  state::StrainedPose pose_of(Index body, const state::Bodies<3>& bodies) const;
   Faces faces_of(const GasCrack& crack, const state::Bodies<3>& bodies) const;
   Place place_of(const GasCrack& crack, const Faces& faces, const state::Bodies<3>& bodies) const;
+  void push_at(const Vector3& place, const state::StrainedPose& first, const state::StrainedPose& second, Pushed& pushed) const;
+  void write_strain_force(const Due& due, const Pushed& pushed, const state::Bodies<3>& bodies);
   void move(const Due& due, const Instant& now, const state::Bodies<3>& bodies);
 
   bool is_apart(Index face) const;
@@ -105,6 +110,7 @@ private:
   std::vector<Pushed> pushed_;
   std::vector<Link> links_;
   terms::SlotTable<3, 0, terms::ChangingIncidence> table_;
+  terms::StrainTable<2, 0> strain_table_;
 };
 
 }  // namespace sazare::methods::blocks

@@ -44,7 +44,7 @@ void Elements::evaluate(const Instant& now, std::span<const Due> due, const stat
       const Vector6 dashpot = (-element.volume * element.relaxation_time) * (element.stiffness * strain.predicted_rate);
       const Vector6 total = dashpot - element.volume * element.stress(strain.strain);
       Slot& slot = slots_[at(of.link)];
-      slot.force.write(slot.evaluated < 0, total, dashpot);
+      slot.force.write(slot.evaluated < 0, total, {dashpot});
       slot.acting = of.acting;
       slot.ahead = of.ahead;
       slot.evaluated = static_cast<Real>(now.tick);
@@ -56,7 +56,7 @@ void Elements::gather_strain(const Instant& now, Index body, terms::StrainGather
   const Index link = link_of_[at(body)];
   if (link < 0) return;
   const Slot& slot = slots_[at(link)];
-  terms::add_strain_force(now, slot, slot.force, 0, terms::Cause::joint_dashpot, false, sum);
+  terms::add_strain_force(now, slot, slot.force, 0, std::array{terms::Cause::joint_dashpot}, sum);
 }
 
 terms::Rates Elements::rates(Index body) const {
@@ -69,7 +69,7 @@ void Elements::add_energies(const terms::Synchronized<3>& now, terms::EnergySums
     if (!now.counts(links_[i])) continue;
     const state::StrainNow& strain = now.strain[at(elements_[i].body)];
     energies[terms::EnergyKind::elastic] += elements_[i].energy(strain.strain);
-    const Real after = slots_[i].ahead * slots_[i].force.part_on(0).dot(strain.ahead);
+    const Real after = slots_[i].ahead * slots_[i].force.part_on(0, 0).dot(strain.ahead);
     terms::add_work(terms::Cause::joint_dashpot, -after, energies);
   }
 }

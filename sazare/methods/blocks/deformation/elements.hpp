@@ -21,9 +21,14 @@ struct DeformableElement {
   Matrix6 stiffness = Matrix6::Zero();        ///< C [Pa]
   Vector6 stress_at_start = Vector6::Zero();  ///< s_0 [Pa]
   Real relaxation_time = 0;                   ///< t [s]
+  Real bulk_modulus = 0;                      ///< of the material: of the element with its halves of its joints [Pa]
 
   /// Stress without damping [Pa].
   Vector6 stress(const Vector6& strain) const { return stress_at_start + stiffness * strain; }
+  /// Growth of the volume of the material by what the stress has changed, without damping [-].
+  Real volumetric_strain(const Vector6& strain) const {
+    return (stiffness * strain).head<3>().sum() / (3 * bulk_modulus);
+  }
   /// Beyond what it was at the beginning [J].
   Real energy(const Vector6& strain) const {
     return volume * (stress_at_start.dot(strain) + 0.5 * strain.dot(stiffness * strain));
@@ -57,7 +62,7 @@ public:
 private:
   /// The force on the strain and for how long it is given, see terms/slot.hpp.
   struct Slot {
-    terms::StrainForces<1> force;
+    terms::StrainForces<1, 1> force;
     Real acting = 0;
     Real ahead = 0;
     Real evaluated = -1;

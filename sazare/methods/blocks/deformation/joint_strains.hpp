@@ -2,7 +2,7 @@
 
 /// What strains of the two elements beside a bonded face do to it, and it to them, in every lane.
 ///
-///     d = E^T (x_j + R_j (1 + S_j) b - x_i) - Q^T (1 + S_i) Q a      S_i, S_j  strains of master and slave; else as in
+///     d = E^T (x_j + R_j (1 + S_j) b - x_i) - Q^T (1 + S_i) Q a - u_0      S_i, S_j  strains of master and slave; else as in
 ///     joint_kernel.hpp
 ///
 /// The force F of a vertex on the slave, springs and dashpot, does work on its strain through (1 + S_j) b and on the master's
@@ -12,20 +12,10 @@
 #include <algorithm>
 
 #include "sazare/levels/terms/lane_strain_forces.hpp"
+#include "sazare/methods/blocks/deformation/lane_strains.hpp"
 #include "sazare/methods/blocks/joint_kernel.hpp"
 
 namespace sazare::methods::blocks {
-
-/// Six numbers of a symmetric tensor in every lane.
-using LaneSix = std::array<Lanes, 6>;
-
-inline LaneVector product(const LaneSix& tensor, const LaneVector& v) {
-  constexpr Real share = 1 / root_of_two;
-  const Lanes yz = share * tensor[3], zx = share * tensor[4], xy = share * tensor[5];
-  return {{add_product(tensor[0], v[0], add_product(xy, v[1], zx * v[2])),
-           add_product(xy, v[0], add_product(tensor[1], v[1], yz * v[2])),
-           add_product(zx, v[0], add_product(yz, v[1], tensor[2] * v[2]))}};
-}
 
 /// Adds a force times a place, made symmetric.
 inline void add_force(LaneSix& sum, const LaneVector& force, const LaneVector& place) {
@@ -38,18 +28,6 @@ inline void add_force(LaneSix& sum, const LaneVector& force, const LaneVector& p
   }
 }
 
-/// Strains of a body in every lane, and how fast they grow.
-struct LaneStrain {
-  LaneSix strain, rate;
-};
-
-/// From a state::Strain, predicted rates, or a state::StrainNow, mean rates.
-template <class Strain>
-LaneStrain load_strain(const LanePointers<Strain>& bodies) {
-  const auto n = load_records<12>(bodies);
-  return {{n[0], n[1], n[2], n[3], n[4], n[5]}, {n[6], n[7], n[8], n[9], n[10], n[11]}};
-}
-
 /// The vertices of a face as points of both its bodies.
 struct StrainedFace {
   LaneMatrix frame;                                    ///< Q
@@ -60,14 +38,16 @@ struct StrainedFace {
 
 /// Moves the vertices of a face by the strains of its bodies.
 template <class Record>
-StrainedFace strain_face(const LaneJoints<Record>& joints, const LaneStrain& master, const LaneStrain& slave, FaceGeometry& at) {
+StrainedFace strain_face(const LaneJoints<Record>& joints, const LanePointers<const MasterCorners>& corners,
+                         const LaneStrain& master, const LaneStrain& slave, FaceGeometry& at) {
   StrainedFace face;
   face.frame = joints.frame();
   const auto tail = joints.tail();
+  const auto on_master = load_records<12>(corners);
   for (std::size_t v = 0; v < vertex_count; ++v) {
     const auto i = static_cast<int>(v);
     face.on_slave[v] = tail.arm[v];
-    face.on_master[v] = face.frame * joints.vertex(v).corner;
+    face.on_master[v] = {{on_master[3 * v], on_master[3 * v + 1], on_master[3 * v + 2]}};
     const LaneVector by_slave = at.slave_axes * product(slave.strain, face.on_slave[v]);
     const LaneVector moved = by_slave - transposed(face.frame, product(master.strain, face.on_master[v]));
     at.point[v] = at.point[v] + by_slave;
@@ -133,12 +113,12 @@ struct StrainedJointForce {
 
 /// As `evaluate` of rigid bodies; `strains` of the masters and slaves.
 template <class Law>
-StrainedJointForce evaluate_strained(const LaneJoints<JointRecord>& joints, const JointParameters<Law, Lanes>& kind,
-                                     const LaneVector& path, const LanePointers<const state::Motion<3>>& masters,
+StrainedJointForce evaluate_strained(const LaneJoints<JointRecord>& joints, const LanePointers<const MasterCorners>& corners,
+                                     const JointParameters<Law, Lanes>& kind, const LaneVector& path, const LanePointers<const state::Motion<3>>& masters,
                                      const LanePointers<const state::Motion<3>>& slaves, const std::array<LaneStrain, 2>& strains,
                                      const Vector3& pole, LaneMask& failed, JointChange& change) {
   FaceGeometry at = face_geometry(joints, masters, slaves);
-  const StrainedFace face = strain_face(joints, strains[0], strains[1], at);
+  const StrainedFace face = strain_face(joints, corners, strains[0], strains[1], at);
   if constexpr (laws::SoftensBySlip<Law>) at.path = path;
   VertexForces total = spring_forces(kind, at, failed, change);
   const VertexForces damped =

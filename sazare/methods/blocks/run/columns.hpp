@@ -13,8 +13,8 @@ inline constexpr std::array pieces = {Column{"broken_joints", "-", "so far"}, Co
 inline constexpr std::array energies = {
     Column{"energy_work", "J", "done by loads, gravity and moving boundaries"},
     Column{"energy_kinetic", "J", "increase since the beginning"},
-    Column{"energy_elastic", "J", "stored in joints, contacts and boundaries since the beginning"},
-    Column{"energy_joint_dashpot", "J", "dissipated by dashpots of joints"},
+    Column{"energy_elastic", "J", "stored in joints, deformable elements, contacts and boundaries since the beginning"},
+    Column{"energy_joint_dashpot", "J", "dissipated by dashpots of joints, and by the bulk damping of deformable elements"},
     Column{"energy_slip", "J", "dissipated by slip of joints before they break"},
     Column{"energy_fracture", "J", "dissipated by softening of joints"},
     Column{"energy_release", "J", "released by joints whose faces opened"},
@@ -78,7 +78,7 @@ inline constexpr std::array elements = {
     Column{"von_mises_stress", "Pa", ""},
     Column{"largest_principal_stress", "Pa", "tension is positive"},
     Column{"smallest_principal_stress", "Pa", ""},
-    Column{"volumetric_strain", "-", "of deformable elements, tension is positive; else 0"}};
+    Column{"volumetric_strain", "-", "of the material of deformable elements, joints included, by the change of its stress; tension is positive; 0 of rigid elements"}};
 inline constexpr std::array joints = {
     Column{"state", "-", "0 intact, 1 softening, 2 broken, 3 sheared: without strength, and pressed together"},
     Column{"mode", "-", "of a crack: 1 opening, 2 shear, whichever has dissipated more; else 0"},
@@ -105,6 +105,7 @@ inline constexpr std::array figures = {
     Column{"p80", "m", "size that 80 % of their mass passes"},
     Column{"throw_max", "m", "largest displacement of a fragment's centre"},
     Column{"peak_speed", "m/s", "largest of any element, at the rows of the history"},
+    Column{"peak_strain", "-", "largest of any deformable element, the norm of the tensor, at the rows of the history; where there are such"},
     Column{"steps", "-", "base steps"},
     Column{"updates", "-", "of elements, each at its level"},
     Column{"update_times", "-", "times at which elements were updated"},

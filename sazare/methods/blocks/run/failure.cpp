@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -17,6 +19,17 @@ namespace {
 
 constexpr std::size_t serial_below = 1024;
 
+/// Strains up to this norm turn no element inside out.
+constexpr Real safe_strain = 0.9;
+
+/// Whether the strain of an element has turned it inside out, or is no number.
+bool is_turned_inside_out(const state::Bodies<3>& bodies, Index element) {
+  if (bodies.strain.empty()) return false;
+  const Vector6& strain = bodies.strain[at(element)].strain;
+  if (strain.squaredNorm() <= safe_strain * safe_strain) return false;
+  return !(Eigen::SelfAdjointEigenSolver<Matrix3>(tensor_of(strain), Eigen::EigenvaluesOnly).eigenvalues()[0] > -1);
+}
+
 /// Quickly, of all elements at every base step: none that has failed passes as sound. What is no number in any momentum is none
 /// in the rotation after the next drift, or in the velocity.
 bool is_sound(const state::Motion<3>& motion, Real reach, Real longest_step) {
@@ -28,7 +41,8 @@ bool has_failed(const BlocksModel& model, Index element) {
   const state::Motion<3>& motion = simulation.bodies().motion[at(element)];
   const Real farthest = simulation.bodies().reach[at(element)];
   const Real step = simulation.levels().step(simulation.levels().level(element));
-  return !(motion.velocity.squaredNorm() * step * step <= farthest * farthest) || !state::is_finite(motion);
+  return !(motion.velocity.squaredNorm() * step * step <= farthest * farthest) || !state::is_finite(motion) ||
+         is_turned_inside_out(simulation.bodies(), element);
 }
 
 /// The element that is likely to have failed first: the one whose step is farthest above its limit, as failure spreads.
@@ -85,6 +99,9 @@ std::string likely_reason(const BlocksModel& model, const cases::CaseFile& file,
   if (file.as<cases::BlocksCase>().contact.damping_cap == cases::DampingCap::literal)
     return "its step is stable for its joints; the dashpot of its contacts is not capped and may be too stiff for the step: set "
            "contact.damping_cap = \"step\"";
+  if (is_turned_inside_out(model.simulation->bodies(), element))
+    return "the loads on it (pressures in Pa, initial stress, speeds) are far beyond what an elastic element can carry: check them "
+           "and youngs_modulus";
   return "its step is stable for its joints and boundaries; check the loads on it (pressures, gravity, moving boundaries) and the "
          "stiffness of its contacts";
 }
@@ -98,9 +115,11 @@ Index find_failed_element(BlocksModel& model) {
   const Real longest_step = model.simulation->levels().step(0);
   std::atomic<bool> some_failed = false;
   parallel::parallel_for(at(count), serial_below, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t element = begin; element < end; ++element)
-      if (!is_sound(bodies.motion[element], bodies.reach[element], longest_step) && fails_here(static_cast<Index>(element)))
-        some_failed = true;
+    for (std::size_t element = begin; element < end; ++element) {
+      const bool sound = is_sound(bodies.motion[element], bodies.reach[element], longest_step) &&
+                         (bodies.strain.empty() || bodies.strain[element].strain.squaredNorm() <= safe_strain * safe_strain);
+      if (!sound && fails_here(static_cast<Index>(element))) some_failed = true;
+    }
   });
   std::vector<Index> failed;
   for (Index element = 0; some_failed && failed.empty() && element < count; ++element)
@@ -114,9 +133,12 @@ Index find_failed_element(BlocksModel& model) {
 std::string describe_failure(const BlocksModel& model, const cases::CaseFile& file, Real time) {
   const Index element = likely_first(model);
   const state::Motion<3>& motion = model.simulation->bodies().motion[at(element)];
-  const std::string what = state::is_finite(motion) ? fmt::format("moves at {} m/s, farther in one step than its own size",
-                                                                  cases::short_number(motion.velocity.norm(), 3))
-                                                    : std::string("has a motion that is no longer a number");
+  std::string what = "has a motion that is no longer a number";
+  if (state::is_finite(motion))
+    what = is_turned_inside_out(model.simulation->bodies(), element)
+               ? std::string("is compressed beyond nothing by its strain")
+               : fmt::format("moves at {} m/s, farther in one step than its own size",
+                             cases::short_number(motion.velocity.norm(), 3));
   return fmt::format("{} (initial position) {}, found at t = {} s\n  {}", element_text(model.mesh, element), what,
                      cases::short_number(time), likely_reason(model, file, element));
 }

@@ -13,6 +13,15 @@ namespace sazare::runs {
 
 namespace {
 
+/// Where deformable elements were strained by more than their law is for.
+std::string strain_warning(const observe::Manifest& manifest) {
+  constexpr Real warned_of = 0.1;
+  if (!(figure(manifest, "peak_strain") > warned_of)) return "";
+  return fmt::format("warning: elements were strained by up to {}, and the elastic law of deformable elements is for small strains\n"
+                     "      help: check the loads and the strengths of joints; loose elements that ring need a bulk_damping_ratio\n",
+                     figure_text(manifest, "peak_strain", 2));
+}
+
 std::string blocks_summary(const observe::Manifest& manifest) {
   const auto number = [&](std::string_view name, int digits = 4) { return figure_text(manifest, name, digits); };
   std::string text;
@@ -24,6 +33,7 @@ std::string blocks_summary(const observe::Manifest& manifest) {
                         number("p80", 3));
   text += fmt::format("largest throw   {} m, peak speed {} m/s\n", number("throw_max"), number("peak_speed"));
   text += fmt::format("energy          {}\n", balance_text(manifest));
+  text += strain_warning(manifest);
   text += fmt::format("wall-clock time {:.2f} s, {} pair evaluations, {} thread{}\n", figure(manifest, "wall_seconds"),
              number("pair_evaluations"), manifest.machine.threads, manifest.machine.threads == 1 ? "" : "s");
   return text;

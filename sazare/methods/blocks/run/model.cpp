@@ -75,7 +75,7 @@ public:
     const MeshFaces faces{model_.mesh, map, geometry::find_surface_faces(model_.mesh, map)};
     const std::vector<Index> joint_of_face = joint_by_face(blocks_, faces, model_.material);
     model_.fit = find_mesh_fit(blocks_, faces, model_.material, joint_of_face);
-    make_joints(make_joint_faces(blocks_, faces, joint_of_face), window.value_or(blocks_.time.history_interval));
+    make_joints(faces, make_joint_faces(blocks_, faces, joint_of_face), window.value_or(blocks_.time.history_interval));
     const auto free_faces = make_free_faces(blocks_, faces, joint_of_face);
     model_.fit.start_balance = find_balance(blocks_, faces, bodies_, free_faces);
     make_contacts(free_faces);
@@ -106,7 +106,7 @@ public:
   Real base_step() const { return base_step_; }
 
 private:
-  void make_joints(std::vector<methods::blocks::JointFace> joint_faces, Real whole) {
+  void make_joints(const MeshFaces& faces, std::vector<methods::blocks::JointFace> joint_faces, Real whole) {
     add_own_springs(blocks_, model_.material, bodies_, joint_faces);
     model_.fit.softest_of_joint = find_softest_faces(blocks_, bodies_, joint_faces);
     model_.kinds = scatter_strengths(blocks_, model_.mesh, joint_faces);
@@ -126,7 +126,7 @@ private:
         keep(terms_, std::make_unique<methods::blocks::Joints>(kinds, joint_faces, std::move(joint_rates), bodies_));
     if (!bodies_.strain.empty())
       model_.elements = keep(terms_, std::make_unique<methods::blocks::Elements>(
-                                         make_elements(blocks_, model_.mesh, model_.material, bodies_, joint_faces), bodies_));
+                                         make_elements(blocks_, faces, model_.material, bodies_, joint_faces), bodies_));
   }
 
   void make_contacts(const std::vector<methods::blocks::FreeFace>& free_faces) {

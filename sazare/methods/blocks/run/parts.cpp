@@ -166,10 +166,6 @@ std::vector<methods::blocks::JointFace> make_joint_faces(const cases::BlocksCase
   return made;
 }
 
-namespace {
-
-/// The joint that an element's material has with itself: the ground behind an outer face is like it. A case that was checked
-/// against its mesh has one.
 const cases::Joint& own_joint(const cases::BlocksCase& blocks, Index material) {
   const std::string& name = blocks.materials[at(material)].name;
   const cases::Joint* own = nullptr;
@@ -178,6 +174,8 @@ const cases::Joint& own_joint(const cases::BlocksCase& blocks, Index material) {
   if (own == nullptr) throw std::logic_error("material " + name + " has no joint with itself");
   return *own;
 }
+
+namespace {
 
 /// What the ground behind an outer face carries at the beginning.
 std::array<Vector3, 3> ground_tractions(const laws::LinearStress& stress, cases::BoundaryKind kind,

@@ -45,6 +45,10 @@ methods::blocks::JointKind make_joint_kind(const cases::Joint& joint);
 std::vector<methods::blocks::JointFace> make_joint_faces(const cases::BlocksCase& blocks, const MeshFaces& faces,
                                                          const std::vector<Index>& joint_of_face);
 
+/// The joint that an element's material has with itself: the ground behind an outer face is like it. A case that was checked
+/// against its mesh has one.
+const cases::Joint& own_joint(const cases::BlocksCase& blocks, Index material);
+
 std::vector<methods::blocks::OuterFace> make_boundaries(const cases::BlocksCase& blocks, const MeshFaces& faces,
                                                         const std::vector<Index>& material, const state::Bodies<3>& bodies);
 

@@ -73,6 +73,7 @@ void RunRecord::observe(std::int64_t step, Real wall_seconds) {
   Real fastest_squared = 0;
   for (const Vector3& velocity : now.velocity) fastest_squared = std::max(fastest_squared, velocity.squaredNorm());
   peak_speed_ = std::max(peak_speed_, std::sqrt(fastest_squared));
+  for (const state::StrainNow& strain : now.strain) peak_strain_ = std::max(peak_strain_, strain.strain.norm());
   files_.add_row(1, gauges_.sample(time, model_->simulation->bodies(), now));
   add_history_row(time, wall_seconds);
   if (!clocks_.is_snapshot(step)) return;
@@ -241,6 +242,7 @@ std::vector<std::pair<std::string, observe::Figure>> RunRecord::results(std::int
   results.emplace_back("largest_fragment_volume", pieces.empty() ? 0 : pieces.front().volume);
   results.emplace_back("throw_max", farthest);
   results.emplace_back("peak_speed", peak_speed_);
+  if (!now.strain.empty()) results.emplace_back("peak_strain", peak_strain_);
   return results;
 }
 
@@ -250,6 +252,7 @@ void RunRecord::columns(Archive& archive) {
   archive("smallest_step", smallest_step_);
   archive("latest_smallest_step", latest_smallest_step_);
   archive("peak_speed", peak_speed_);
+  archive("peak_strain", peak_strain_);
   archive.folder("gauges", [&] { gauges_.columns(archive); });
 }
 

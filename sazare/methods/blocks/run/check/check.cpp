@@ -76,7 +76,8 @@ std::string step_text(const BlocksModel& model, const RunClocks& clocks) {
 }
 
 std::string cost_text(const cases::BlocksCase& blocks, const BlocksModel& model, const RunClocks& clocks) {
-  constexpr Real evaluations_per_second = 10e6, history_columns = 20, gauge_columns = 6, bytes_of_element = 240;
+  const Real evaluations_per_second = model.elements == nullptr ? 10e6 : 4.5e6;  // see docs/develop/performance.md
+  constexpr Real history_columns = 20, gauge_columns = 6, bytes_of_element = 240;
   const Cost cost{.work = runs::evaluations_per_second(model) * clocks.end,
                   .work_per_second = evaluations_per_second,
                   .columns = history_columns + gauge_columns * static_cast<Real>(blocks.gauges.size()),

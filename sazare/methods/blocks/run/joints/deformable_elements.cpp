@@ -12,15 +12,22 @@ namespace {
 
 constexpr Real corners_over_whole = 5;  // second moments of four masses at the corners over those of a tetrahedron
 
-/// Which faces of every element yield by springs that follow from the elements; an open or an outer face counts too.
-std::vector<std::array<bool, 4>> yielding_faces(const cases::BlocksCase& blocks, std::size_t elements,
+/// Which faces of every element yield by springs that follow from the elements: joints without a stiffness of their own, and faces
+/// that the ground holds as such joints do. A free face, one that is pressed and one that only touches another yield nothing.
+std::vector<std::array<bool, 4>> yielding_faces(const cases::BlocksCase& blocks, const MeshFaces& faces,
+                                                const std::vector<Index>& material,
                                                 const std::vector<methods::blocks::JointFace>& joints) {
-  std::vector<std::array<bool, 4>> yields(elements, {true, true, true, true});
-  for (const methods::blocks::JointFace& joint : joints)
-    if (blocks.joints[at(joint.kind)].has_stiffness()) {
-      yields[at(joint.master)][at(joint.master_face)] = false;
-      yields[at(joint.slave)][at(joint.slave_face)] = false;
-    }
+  std::vector<std::array<bool, 4>> yields(material.size(), {false, false, false, false});
+  for (const methods::blocks::JointFace& joint : joints) {
+    if (blocks.joints[at(joint.kind)].has_stiffness()) continue;
+    yields[at(joint.master)][at(joint.master_face)] = true;
+    yields[at(joint.slave)][at(joint.slave_face)] = true;
+  }
+  for (const cases::Boundary& boundary : blocks.boundaries) {
+    if (boundary.kind == cases::BoundaryKind::absorbing) continue;
+    for (const geometry::OuterFace& outer : faces.outer(boundary.surface))
+      yields[at(outer.element)][at(outer.face)] = !own_joint(blocks, material[at(outer.element)]).has_stiffness();
+  }
   return yields;
 }
 
@@ -58,21 +65,22 @@ void add_strains(const cases::BlocksCase& blocks, const std::vector<Index>& mate
   }
 }
 
-std::vector<methods::blocks::DeformableElement> make_elements(const cases::BlocksCase& blocks, const geometry::TetraMesh& mesh,
+std::vector<methods::blocks::DeformableElement> make_elements(const cases::BlocksCase& blocks, const MeshFaces& faces,
                                                               const std::vector<Index>& material, const state::Bodies<3>& bodies,
                                                               const std::vector<methods::blocks::JointFace>& joints) {
   std::vector<methods::blocks::DeformableElement> made;
-  const auto yields = yielding_faces(blocks, material.size(), joints);
+  const auto yields = yielding_faces(blocks, faces, material, joints);
   const laws::LinearStress stress = blocks.stress_at_start();
   for (std::size_t body = 0; body < material.size(); ++body) {
     const cases::Material& of = blocks.materials[at(material[body])];
     if (!of.deformable) continue;
-    const auto corners = geometry::corners_of(mesh, static_cast<Index>(body));
+    const auto corners = geometry::corners_of(faces.mesh, static_cast<Index>(body));
     const Matrix3& rotation = bodies.motion[body].rotation;
     methods::blocks::DeformableElement element;
     element.body = static_cast<Index>(body);
     element.volume = geometry::volume(corners);
     element.stiffness = laws::element_stiffness(of.moduli(), compliance_of_joints(corners, rotation, yields[body], of.springs()));
+    element.bulk_modulus = of.moduli().bulk();
     element.stress_at_start = numbers_of(rotation.transpose() * stress.at(geometry::centroid(corners)) * rotation);
     element.relaxation_time = relaxation_time(of.bulk_damping_ratio, of.moduli(), element.volume, bodies.strain[body]);
     made.push_back(element);

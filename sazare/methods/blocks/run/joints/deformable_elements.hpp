@@ -18,7 +18,7 @@ namespace sazare::runs {
 void add_strains(const cases::BlocksCase& blocks, const std::vector<Index>& material, state::Bodies<3>& bodies);
 
 /// Deformable elements, joined as the faces say.
-std::vector<methods::blocks::DeformableElement> make_elements(const cases::BlocksCase& blocks, const geometry::TetraMesh& mesh,
+std::vector<methods::blocks::DeformableElement> make_elements(const cases::BlocksCase& blocks, const MeshFaces& faces,
                                                               const std::vector<Index>& material, const state::Bodies<3>& bodies,
                                                               const std::vector<methods::blocks::JointFace>& joints);
 

@@ -43,9 +43,14 @@ Held held_by_joints(const BlocksModel& model, const levels::Snapshot<3>& now, In
   return held;
 }
 
+/// None where the element is rigid.
+const methods::blocks::DeformableElement* element_of(const BlocksModel& model, Index element) {
+  return model.elements == nullptr ? nullptr : model.elements->element_of(element);
+}
+
 /// Of a deformable element by its own strain, of a rigid one by its joints.
 Matrix3 stress_of(const BlocksModel& model, const levels::Snapshot<3>& now, Index element) {
-  if (const auto* own = model.elements == nullptr ? nullptr : model.elements->element_of(element)) {
+  if (const auto* own = element_of(model, element)) {
     const Matrix3& rotation = now.pose[at(element)].rotation;
     return rotation * tensor_of(own->stress(now.strain[at(element)].strain)) * rotation.transpose();
   }
@@ -71,7 +76,8 @@ ElementStresses element_stresses(const BlocksModel& model, const levels::Snapsho
       const Vector3 principal = Eigen::SelfAdjointEigenSolver<Matrix3>(stress, Eigen::EigenvaluesOnly).eigenvalues();
       all.smallest[i] = principal[0];
       all.largest[i] = principal[2];
-      if (!now.strain.empty()) all.volumetric_strain[i] = now.strain[i].strain.head<3>().sum();
+      if (const auto* own = element_of(model, static_cast<Index>(i)))
+        all.volumetric_strain[i] = own->volumetric_strain(now.strain[i].strain);
     }
   });
   return all;
