@@ -35,10 +35,12 @@ std::string_view reference(const observe::Manifest& manifest) {
 
 /// Nothing has moved by more than round-off, of which the balance then consists.
 bool rests(const observe::Manifest& manifest) {
-  constexpr Real round_off = 1e-12;  // m; far less than an atom
-  const bool tells =
-      std::ranges::any_of(manifest.results, [](const auto& result) { return result.first == "peak_displacement"; });
-  return tells && figure(manifest, "peak_displacement") < round_off;
+  constexpr Real round_off = 1e-12, slow = 1e-6, nothing = 1e-9;  // m; far less than an atom; m/s and J
+  const auto tells = [&](std::string_view name) {
+    return std::ranges::any_of(manifest.results, [&](const auto& result) { return result.first == name; });
+  };
+  if (tells("peak_displacement")) return figure(manifest, "peak_displacement") < round_off;
+  return tells("peak_speed") && figure(manifest, "peak_speed") < slow && energy_brought_in(manifest) < nothing;
 }
 
 }  // namespace

@@ -115,7 +115,8 @@ struct StrainTable {
   template <class Table>
   void gather(const Instant& now, Index body, const Table& table, StrainGathered& sum) const {
     for (const auto side : table.incidence.of(body))
-      add_strain_force(now, table[side.slot], (*this)[side.slot], Sides == 2 ? static_cast<int>(side.side) : 0, table.causes, sum);
+      add_strain_force(now, table[side.slot], (*this)[side.slot], Sides == 2 ? static_cast<int>(side.side) : 0, table.causes,
+                       sum);
   }
 
   /// Work that the parts of a link's force will have done on strains after now, see SlotTable::work_after [J].

@@ -39,7 +39,11 @@ Real choose_skin(const geometry::ElementCorners& corners) {
 
 BlockContacts::BlockContacts(ContactShape shape, int edge_division, Joints& joints, const geometry::ElementCorners& corners,
                              const state::Bodies<3>& bodies)
-    : joints_(&joints), corners_(corners), farthest_(bodies.strain.empty() ? 1 : reach_with_radius), surface_(bodies.size(), edge_division, choose_skin(corners_), shape, shape == ContactShape::spheres && !bodies.strain.empty()) {
+    : joints_(&joints),
+      corners_(corners),
+      farthest_(bodies.strain.empty() ? 1 : reach_with_radius),
+      surface_(bodies.size(), edge_division, choose_skin(corners_), shape,
+               shape == ContactShape::spheres && !bodies.strain.empty()) {
   table_.causes = {terms::Cause::contact_dashpot, terms::Cause::friction};
   table_.incidence = terms::ChangingIncidence(bodies.size());
   touching_.assign(bodies.inertia.size(), 0);
@@ -108,7 +112,8 @@ bool BlockContacts::are_distant(const ContactBody& first, const ContactBody& sec
   const auto turning = [](const ContactBody& body) {
     return body.motion.spin.norm() + (body.strain == nullptr ? 0 : body.strain->rate.norm());
   };
-  const Real closing = (second.motion.velocity - first.motion.velocity).norm() + farthest_ * bodies.reach[at(link.first)] * turning(first) +
+  const Real closing = (second.motion.velocity - first.motion.velocity).norm() +
+                       farthest_ * bodies.reach[at(link.first)] * turning(first) +
                        farthest_ * bodies.reach[at(link.second)] * turning(second);
   const Real change = surface_.skin() / 1000 + 2 * base_step_ * (first.motion.velocity.norm() + second.motion.velocity.norm());
   return room > 2 * base_step_ * closing + std::min(surface_.skin() / 100, change);
@@ -189,8 +194,7 @@ void BlockContacts::post_base_step(const Instant& now, const state::Bodies<3>& b
   peers.fetch(surface_.bodies());
   std::vector<Index> moved;
   for (const Index body : surface_.bodies())
-    if (surface_.moved(body, pose_at(body, bodies, now), bodies.reach[at(body)]) > surface_.skin() / 3)
-      moved.push_back(body);
+    if (surface_.moved(body, pose_at(body, bodies, now), bodies.reach[at(body)]) > surface_.skin() / 3) moved.push_back(body);
   if (moved.empty()) return;
   std::ranges::sort(moved);
   search(moved, true, now, bodies, changes);

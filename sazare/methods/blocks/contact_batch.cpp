@@ -91,7 +91,7 @@ struct ContactBatch::InLanes {
   LanePointers<const state::Motion<3>> first, second;
   LanePointers<const state::Strain> first_strain, second_strain;  ///< none where the bodies of the batch are rigid
 
-  LaneVector first_tangent, second_tangent;                         ///< tangent points of both spheres; else not set
+  LaneVector first_tangent, second_tangent;  ///< tangent points of both spheres; else not set
 
   bool are_strained() const { return first_strain[0] != nullptr; }
 

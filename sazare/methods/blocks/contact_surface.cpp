@@ -111,8 +111,7 @@ bool ContactSurface::are_near(Index body, const state::Pose<3>& pose, Index part
   return false;
 }
 
-std::vector<NearPair> ContactSurface::search(Index body, const std::function<bool(Index)>& skip,
-                                             const PoseOf& pose_of) const {
+std::vector<NearPair> ContactSurface::search(Index body, const std::function<bool(Index)>& skip, const PoseOf& pose_of) const {
   const state::StrainedPose pose = pose_of(body);
   std::map<Index, NearPair> by_partner;
   visit_near(body, pose, [&](const Patch& mine, const Vector3& centre, const Patch& theirs) {

@@ -92,8 +92,7 @@ public:
 
   /// Near pairs of a body with all others, rising by partner; pairs for which `skip(partner)` are left out. `pose_of` says
   /// where bodies are: partners may have moved by a third of the skin since they were placed.
-  std::vector<NearPair> search(Index body, const std::function<bool(Index)>& skip,
-                               const PoseOf& pose_of) const;
+  std::vector<NearPair> search(Index body, const std::function<bool(Index)>& skip, const PoseOf& pose_of) const;
 
   void columns(Archive& archive);
 

@@ -122,8 +122,8 @@ template <class Law>
   const auto joint_of = [&](std::size_t lane) { return in_lanes[lane].link; };
   if constexpr (laws::SoftensBySlip<Law>) path = load_paths(joint_of);
   const StrainedJointForce found =
-      blocks::evaluate_strained(LaneJoints<JointRecord>{records}, corners, parameters(kinds, records, joint_of), path, masters, slaves,
-                                {load_strain(master_strains), load_strain(slave_strains)}, bodies.pole, failed, change);
+      blocks::evaluate_strained(LaneJoints<JointRecord>{records}, corners, parameters(kinds, records, joint_of), path, masters,
+                                slaves, {load_strain(master_strains), load_strain(slave_strains)}, bodies.pole, failed, change);
   terms::write(strain_slots, slots, side_by_side(found.total), side_by_side(found.dashpots), failed);
   terms::write(slots, now, in_lanes, found.force.total, found.force.dashpots, failed);
   if (change.has_happened) note_changes<Law>(records, due, change);

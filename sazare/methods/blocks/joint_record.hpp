@@ -47,8 +47,8 @@ struct alignas(64) JointRecord {
 };
 static_assert(sizeof(JointRecord) == 24 * sizeof(Real));
 
-/// The vertices of a face as points of its master, in the master's body frame, where the strain of the master moves them [m]. They
-/// are those of the beginning, whatever the joint has slipped, so that slip takes just the work of the shear stress.
+/// The vertices of a face as points of its master, in the master's body frame, where the strain of the master moves them [m].
+/// They are those of the beginning, whatever the joint has slipped, so that slip takes just the work of the shear stress.
 struct alignas(32) MasterCorners {
   std::array<Vector3, vertex_count> vertex;
   std::array<Real, 3> unused{};

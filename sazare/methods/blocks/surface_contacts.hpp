@@ -2,10 +2,10 @@
 
 /// Term of the contact between open faces of blocks and a surface of triangles whose nodes move (terms/nodal_surface.hpp).
 ///
-/// The spheres of open faces touch the surface in points that count so that the force has an energy (geometry/facets/complex.hpp):
-/// edges push once, and the two sides of a groove push both.
-/// The law is that of two touching spheres (laws/sphere_contact.hpp), the surface showing no softness. What a sphere overlaps
-/// when it first meets the surface gives no force until they part.
+/// The spheres of open faces touch the surface in points that count so that the force has an energy
+/// (geometry/facets/complex.hpp): edges push once, and the two sides of a groove push both. The law is that of two touching
+/// spheres (laws/sphere_contact.hpp), the surface showing no softness. What a sphere overlaps when it first meets the surface
+/// gives no force until they part.
 ///
 /// The strain of a deformable block moves its spheres as in its contact with other blocks.
 ///

@@ -189,8 +189,10 @@ TEST(deformation, joints_that_slip_take_what_the_forces_do) {
         const std::size_t b = at(body);
         const Vector6 on_strain = pair.probe.force_on_strain(body);
         const Matrix3 turned = pair.bodies.motion[b].rotation * before.motion[b].rotation.transpose();
-        const Vector3 angle = 0.5 * Vector3(turned(2, 1) - turned(1, 2), turned(0, 2) - turned(2, 0), turned(1, 0) - turned(0, 1));
-        work -= 0.5 * (forces[b].linear + forces_before[b].linear).dot(pair.bodies.motion[b].position - before.motion[b].position);
+        const Vector3 angle =
+            0.5 * Vector3(turned(2, 1) - turned(1, 2), turned(0, 2) - turned(2, 0), turned(1, 0) - turned(0, 1));
+        work -=
+            0.5 * (forces[b].linear + forces_before[b].linear).dot(pair.bodies.motion[b].position - before.motion[b].position);
         work -= 0.5 * (forces[b].angular + forces_before[b].angular).dot(angle);
         work -= 0.5 * (on_strain + strain_forces_before[b]).dot(pair.bodies.strain[b].strain - before.strain[b].strain);
         strain_forces_before[b] = on_strain;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "sazare/geometry/tetra_mesh.hpp"
+#include "sazare/methods/blocks/run/failure.hpp"
 #include "tests/support/blocks_scene.hpp"
 #include "tests/support/box_of_blocks.hpp"
 
@@ -136,6 +137,46 @@ TEST(deformed_body, elements_yield_what_joints_leave_them) {
   const Eigen::Matrix<Real, 6, 6> left = laws::element_stiffness(rock, laws::joint_compliance(flat, laws::joint_moduli(rock)));
   const Real softest = Eigen::SelfAdjointEigenSolver<Eigen::Matrix<Real, 6, 6>>(left).eigenvalues().minCoeff();
   EXPECT_GT(softest, 0.9 * 2 * rock.shear());
+}
+
+/// Two deformable blocks that are bonded or not.
+runs::BlocksModel two_deformable(bool bonded) {
+  auto blocks = test::two_block_case(bonded);
+  for (cases::Material& material : blocks.materials) {
+    material.youngs_modulus = 50e9;
+    material.poisson_ratio = 0.25;
+    material.deformable = true;
+  }
+  blocks.joints[0].normal_stiffness = blocks.joints[0].shear_stiffness = std::nullopt;
+  blocks.joints[0].normal_damping = blocks.joints[0].shear_damping = 0;
+  return runs::build_blocks(blocks, test::two_blocks());
+}
+
+/// Only a joint takes compliance out of its elements: a loose one is as stiff as the material.
+TEST(deformed_body, elements_without_joints_are_as_stiff_as_the_material) {
+  const laws::ElasticModuli rock{50e9, 0.25};
+  const Matrix6 asked = laws::isotropic_stiffness(rock);
+  const auto loose = two_deformable(false), bonded = two_deformable(true);
+  EXPECT_LT((loose.elements->element_of(0)->stiffness - asked).norm(), 1e-12 * asked.norm());
+  EXPECT_GT((bonded.elements->element_of(0)->stiffness - asked).norm(), 0.05 * asked.norm());
+  Vector6 pressed = Vector6::Zero();
+  pressed.head<3>().setConstant(-1e-3);
+  EXPECT_NEAR(loose.elements->element_of(0)->volumetric_strain(pressed), -3e-3, 1e-15);
+  EXPECT_LT(bonded.elements->element_of(0)->volumetric_strain(pressed), -3e-3);  // its joint yields too
+}
+
+TEST(deformed_body, an_element_that_strain_turns_inside_out_has_failed) {
+  const auto strained_by = [&](Real along) {
+    auto turned = two_deformable(false);
+    turned.simulation->start();
+    auto& bodies = const_cast<state::Bodies<3>&>(turned.simulation->bodies());  // no load would do it at once
+    bodies.strain[1].strain << along, 0, 0, 0, 0, 0;
+    return runs::find_failed_element(turned);
+  };
+  EXPECT_EQ(strained_by(-0.95), -1);
+  EXPECT_EQ(strained_by(5), -1);  // drawn out, not turned
+  EXPECT_EQ(strained_by(-1.05), 1);
+  EXPECT_EQ(strained_by(std::nan("")), 1);
 }
 
 }  // namespace

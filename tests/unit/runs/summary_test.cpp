@@ -36,6 +36,17 @@ TEST(summary, does_not_weigh_the_energies_of_what_does_not_move) {
   EXPECT_NE(balance_warning(manifest), "");
 }
 
+/// Nor those of ground that rests under its stress, whose displacements a run does not tell.
+TEST(summary, does_not_weigh_the_energies_of_ground_at_rest) {
+  observe::Manifest manifest = with_balance(0, 6e-13);
+  manifest.results.emplace_back("energy_elastic", -6e-13);
+  EXPECT_NE(balance_warning(manifest), "");
+  manifest.results.emplace_back("peak_speed", 2e-8);
+  EXPECT_EQ(balance_warning(manifest), "");
+  manifest.results.back().second = 1e-3;
+  EXPECT_NE(balance_warning(manifest), "");
+}
+
 /// A body that was stressed or in motion at the beginning gives energy without any work.
 TEST(summary, measures_the_energy_that_is_missing_by_what_was_set_free_as_well) {
   observe::Manifest manifest = with_balance(10, 2);

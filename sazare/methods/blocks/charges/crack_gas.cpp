@@ -103,7 +103,8 @@ void CrackGas::move(const Due& due, const Instant& now, const state::Bodies<3>& 
   Pushed& pushed = pushed_[at(due.link)];
   const state::StrainedPose first = pose_of(link.first, bodies), second = pose_of(link.second, bodies);
   const Place place = place_of(crack, faces_[at(due.link)], bodies);
-  const Vector3 parted = (second.position + second.gradient() * pushed.second) - (first.position + first.gradient() * pushed.first);
+  const Vector3 parted =
+      (second.position + second.gradient() * pushed.second) - (first.position + first.gradient() * pushed.first);
   const Real soon = network_.pressure(crack, place.volume, pushed.work + pushed.force.dot(parted));
   pushed.work += 0.5 * (pushed.force + soon * place.push).dot(parted);
   pushed.force = network_.pressure(crack, place.volume, pushed.work) * place.push;

@@ -26,9 +26,7 @@ struct DeformableElement {
   /// Stress without damping [Pa].
   Vector6 stress(const Vector6& strain) const { return stress_at_start + stiffness * strain; }
   /// Growth of the volume of the material by what the stress has changed, without damping [-].
-  Real volumetric_strain(const Vector6& strain) const {
-    return (stiffness * strain).head<3>().sum() / (3 * bulk_modulus);
-  }
+  Real volumetric_strain(const Vector6& strain) const { return (stiffness * strain).head<3>().sum() / (3 * bulk_modulus); }
   /// Beyond what it was at the beginning [J].
   Real energy(const Vector6& strain) const {
     return volume * (stress_at_start.dot(strain) + 0.5 * strain.dot(stiffness * strain));

@@ -114,7 +114,8 @@ struct StrainedJointForce {
 /// As `evaluate` of rigid bodies; `strains` of the masters and slaves.
 template <class Law>
 StrainedJointForce evaluate_strained(const LaneJoints<JointRecord>& joints, const LanePointers<const MasterCorners>& corners,
-                                     const JointParameters<Law, Lanes>& kind, const LaneVector& path, const LanePointers<const state::Motion<3>>& masters,
+                                     const JointParameters<Law, Lanes>& kind, const LaneVector& path,
+                                     const LanePointers<const state::Motion<3>>& masters,
                                      const LanePointers<const state::Motion<3>>& slaves, const std::array<LaneStrain, 2>& strains,
                                      const Vector3& pole, LaneMask& failed, JointChange& change) {
   FaceGeometry at = face_geometry(joints, masters, slaves);

@@ -78,7 +78,9 @@ inline constexpr std::array elements = {
     Column{"von_mises_stress", "Pa", ""},
     Column{"largest_principal_stress", "Pa", "tension is positive"},
     Column{"smallest_principal_stress", "Pa", ""},
-    Column{"volumetric_strain", "-", "of the material of deformable elements, joints included, by the change of its stress; tension is positive; 0 of rigid elements"}};
+    Column{"volumetric_strain", "-",
+           "of the material of deformable elements, joints included, by the change of its stress; tension is positive; 0 of "
+           "rigid elements"}};
 inline constexpr std::array joints = {
     Column{"state", "-", "0 intact, 1 softening, 2 broken, 3 sheared: without strength, and pressed together"},
     Column{"mode", "-", "of a crack: 1 opening, 2 shear, whichever has dissipated more; else 0"},
@@ -105,7 +107,8 @@ inline constexpr std::array figures = {
     Column{"p80", "m", "size that 80 % of their mass passes"},
     Column{"throw_max", "m", "largest displacement of a fragment's centre"},
     Column{"peak_speed", "m/s", "largest of any element, at the rows of the history"},
-    Column{"peak_strain", "-", "largest of any deformable element, the norm of the tensor, at the rows of the history; where there are such"},
+    Column{"peak_strain", "-",
+           "largest of any deformable element, the norm of the tensor, at the rows of the history; where there are such"},
     Column{"steps", "-", "base steps"},
     Column{"updates", "-", "of elements, each at its level"},
     Column{"update_times", "-", "times at which elements were updated"},

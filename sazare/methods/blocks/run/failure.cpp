@@ -100,7 +100,8 @@ std::string likely_reason(const BlocksModel& model, const cases::CaseFile& file,
     return "its step is stable for its joints; the dashpot of its contacts is not capped and may be too stiff for the step: set "
            "contact.damping_cap = \"step\"";
   if (is_turned_inside_out(model.simulation->bodies(), element))
-    return "the loads on it (pressures in Pa, initial stress, speeds) are far beyond what an elastic element can carry: check them "
+    return "the loads on it (pressures in Pa, initial stress, speeds) are far beyond what an elastic element can carry: check "
+           "them "
            "and youngs_modulus";
   return "its step is stable for its joints and boundaries; check the loads on it (pressures, gravity, moving boundaries) and the "
          "stiffness of its contacts";

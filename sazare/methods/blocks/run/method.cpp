@@ -17,9 +17,10 @@ namespace {
 std::string strain_warning(const observe::Manifest& manifest) {
   constexpr Real warned_of = 0.1;
   if (!(figure(manifest, "peak_strain") > warned_of)) return "";
-  return fmt::format("warning: elements were strained by up to {}, and the elastic law of deformable elements is for small strains\n"
-                     "      help: check the loads and the strengths of joints; loose elements that ring need a bulk_damping_ratio\n",
-                     figure_text(manifest, "peak_strain", 2));
+  return fmt::format(
+      "warning: elements were strained by up to {}, and the elastic law of deformable elements is for small strains\n"
+      "      help: check the loads and the strengths of joints; loose elements that ring need a bulk_damping_ratio\n",
+      figure_text(manifest, "peak_strain", 2));
 }
 
 std::string blocks_summary(const observe::Manifest& manifest) {

@@ -92,7 +92,7 @@ private:
   Real smallest_step_ = 0;          ///< of the run so far; 0 before the first row [s]
   Real latest_smallest_step_ = 0;
   Real peak_speed_ = 0;
-  Real peak_strain_ = 0;  ///< of deformable elements
+  Real peak_strain_ = 0;      ///< of deformable elements
   Real energy_residual_ = 0;  ///< at the last row [J]
   std::int64_t snapshot_count_ = 0;
 };

@@ -12,8 +12,9 @@ namespace {
 
 constexpr Real corners_over_whole = 5;  // second moments of four masses at the corners over those of a tetrahedron
 
-/// Which faces of every element yield by springs that follow from the elements: joints without a stiffness of their own, and faces
-/// that the ground holds as such joints do. A free face, one that is pressed and one that only touches another yield nothing.
+/// Which faces of every element yield by springs that follow from the elements: joints without a stiffness of their own, and
+/// faces that the ground holds as such joints do. A free face, one that is pressed and one that only touches another yield
+/// nothing.
 std::vector<std::array<bool, 4>> yielding_faces(const cases::BlocksCase& blocks, const MeshFaces& faces,
                                                 const std::vector<Index>& material,
                                                 const std::vector<methods::blocks::JointFace>& joints) {
