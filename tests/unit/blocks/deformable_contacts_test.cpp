@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "sazare/geometry/face_map.hpp"
 #include "sazare/methods/blocks/contacts.hpp"
 #include "sazare/methods/blocks/run/joints/deformable_elements.hpp"
+#include "sazare/methods/blocks/run/joints/element_stress.hpp"
 #include "tests/support/blocks_scene.hpp"
 #include "tests/support/box_of_blocks.hpp"
 #include "tests/support/force_probe.hpp"
@@ -192,6 +194,33 @@ TEST(deformable_contacts, find_what_dashpots_and_friction_have_taken) {
   EXPECT_GT(energy[EnergyKind::friction], 1e-3);
   EXPECT_GT(energy[EnergyKind::contact_dashpot], 1e-3);
   EXPECT_LT(std::abs(energy.residual()), 2e-3 * (energy[EnergyKind::friction] + energy[EnergyKind::contact_dashpot]));
+}
+
+/// Two cubes without a joint between them under a gravity that presses them onto each other and onto a frictionless wall: the
+/// mean stress in each is that of what it carries, p on its far face and its own weight.
+TEST(deformable_contacts, carry_stress_through_an_open_crack) {
+  auto blocks = two_rocks();
+  const Real area = 0.01, pressure = 1e6, gravity = pressure * area / (2390 * 1e-3);
+  blocks.gravity.acceleration = Vector3(-gravity, 0, 0);
+  for (cases::Material& material : blocks.materials) material.bulk_damping_ratio = 0.3;
+  for (cases::Joint& joint : blocks.joints) joint.damping_ratio = 0.3;
+  blocks.contact.normal_damping = 2e4;
+  auto mesh = two_cubes(0);
+  mesh.surfaces = {{"wall", {}}};
+  for (const auto& outer : geometry::build_face_map(mesh).outer)
+    if (std::ranges::all_of(outer.nodes, [&](Index node) { return mesh.nodes[at(node)].x() < 1e-9; }))
+      mesh.surfaces[0].triangles.push_back(outer.nodes);
+  blocks.boundaries = {{"wall", cases::BoundaryKind::frictionless}};
+  auto model = runs::build_blocks(blocks, mesh);
+  model.simulation->start();
+  test::run(model, 20000);
+  const auto stresses = runs::element_stresses(model, model.simulation->snapshot());
+  std::array<Real, 2> mean{};
+  for (std::size_t element = 0; element < stresses.normal.size(); ++element)
+    mean[at(model.mesh.region[element])] +=
+        stresses.normal[element].x() * geometry::volume(geometry::corners_of(mesh, static_cast<Index>(element))) / 1e-3;
+  EXPECT_NEAR(mean[0], -1.5 * pressure, 0.02 * pressure);
+  EXPECT_NEAR(mean[1], -0.5 * pressure, 0.02 * pressure);
 }
 
 }  // namespace
