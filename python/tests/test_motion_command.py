@@ -100,7 +100,7 @@ def test_a_short_record_is_warned_of(motion, tmp_path):
      ("layers.csv", LAYERS.replace("0.05", "-0.05"), "damping_ratio"), ("layers.csv", LAYERS.replace("[m/s]", "[km/s]"), "the unit of s_wave_velocity is km/s"),
      ("layers.csv", LAYERS.replace("inf", "20"), "half-space"), ("layers.csv", "", "empty"), ("layers.csv", "a,b\n1,2\n", "the columns are a, b"),
      ("target.csv", "period [s],acceleration [ft/s2]\n1,2\n2,3\n", "ft/s2"), ("target.csv", "period [s],acceleration [g]\n1,2\n0.5,3\n", "rise"),
-     ("target.csv", "period [s],acceleration [g]\n1,two\n", "no number")],
+     ("target.csv", "period [s],acceleration [g]\n1,two\n", "has words, and numbers in g were expected")],
 )
 def test_a_damaged_table_is_refused(motion, tmp_path, name, text, words):
     (tmp_path / name).write_text(text)
