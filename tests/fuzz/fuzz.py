@@ -109,7 +109,7 @@ def verdict(done):
         return f"more than {TIME} s of the processor"
     if done.returncode < 0:
         return f"signal {-done.returncode}"
-    if done.returncode not in (0, 2, 3, 4, INTERRUPTED) or "report it" in words or "terminate called" in words:
+    if done.returncode not in (0, 2, 3, 4, INTERRUPTED) or "report it" in words:
         return f"exit code {done.returncode}: {words[-300:]}"
     if done.returncode and not words.strip():
         return f"exit code {done.returncode} without a word"
