@@ -153,7 +153,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--mutants", type=int, default=2000)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--only", help="one case of the corpus")
+    parser.add_argument("--only", help="one case of the corpus, or messages")
     parser.add_argument("--jobs", type=int, default=2)
     chosen = parser.parse_args()
     corpus = {name: files for name, files in {**CORPUS, **checkpoint_of()}.items() if chosen.only in (None, name)}
@@ -169,9 +169,12 @@ def main():
     names = sorted(corpus)
     tried, findings = 0, 0
     with ThreadPoolExecutor(chosen.jobs) as pool:
-        work = [pool.submit(attempt, names[n % len(names)], corpus[names[n % len(names)]], chosen.seed, n) for n in range(chosen.mutants)]
-        if chosen.only in (None, "messages"):
-            work += [pool.submit(attempt_message, chosen.seed, n) for n in range(max(1, chosen.mutants // MESSAGE_EVERY))]
+        work = []
+        for n in range(chosen.mutants):
+            if names:
+                work.append(pool.submit(attempt, names[n % len(names)], corpus[names[n % len(names)]], chosen.seed, n))
+            if n % MESSAGE_EVERY == 0 and chosen.only in (None, "messages"):
+                work.append(pool.submit(attempt_message, chosen.seed, n // MESSAGE_EVERY))
         try:
             for one in work:
                 fault = one.result()
@@ -179,7 +182,7 @@ def main():
                 if fault:
                     print(fault, flush=True)
                 if tried % 1000 == 0:
-                    print(f"{tried} of {chosen.mutants} tried", file=sys.stderr, flush=True)
+                    print(f"{tried} of {len(work)} tried", file=sys.stderr, flush=True)
         except KeyboardInterrupt:
             pool.shutdown(cancel_futures=True)
     print(f"{tried} mutants of {len(names)} cases and the messages of a coupling, seed {chosen.seed}: {findings} findings")

@@ -41,15 +41,14 @@ BlockContacts::BlockContacts(ContactShape shape, int edge_division, Joints& join
                              const state::Bodies<3>& bodies)
     : joints_(&joints),
       corners_(corners),
-      farthest_(bodies.strain.empty() ? 1 : reach_with_radius),
-      surface_(bodies.size(), edge_division, choose_skin(corners_), shape,
-               shape == ContactShape::spheres && !bodies.strain.empty()) {
+      strain_table_(shape == ContactShape::spheres ? terms::StrainTable<2, 2>(bodies, 0) : terms::StrainTable<2, 2>()),
+      reach_of_spheres_(follows_strains() ? reach_with_radius : 1),
+      surface_(bodies.size(), edge_division, choose_skin(corners_), shape, follows_strains()) {
   table_.causes = {terms::Cause::contact_dashpot, terms::Cause::friction};
   table_.incidence = terms::ChangingIncidence(bodies.size());
   touching_.assign(bodies.inertia.size(), 0);
   softness_.reserve(bodies.inertia.size());
   for (Index body = 0; body < bodies.size(); ++body) softness_.push_back(static_cast<float>(largest_softness(bodies, body)));
-  if (shape == ContactShape::spheres) strain_table_ = {bodies, 0};
 }
 
 void BlockContacts::open_first(std::span<const FreeFace> free_faces, const state::Bodies<3>& bodies) {
@@ -84,8 +83,8 @@ Real BlockContacts::update_clearance(Index pair, const ContactBody& first, const
   const state::StrainedPose first_pose = first.pose(), second_pose = second.pose();
   Real moved = 0;
   if (clearance.is_known)
-    moved = clearance.moved(first_pose, second_pose, farthest_ * bodies.reach[at(link.first)],
-                            farthest_ * bodies.reach[at(link.second)]);
+    moved = clearance.moved(first_pose, second_pose, reach_of_spheres_ * bodies.reach[at(link.first)],
+                            reach_of_spheres_ * bodies.reach[at(link.second)]);
   ++clearance.evaluations;
   const bool is_used_up = clearance.is_known && moved > clearance.good;
   const bool gap_is_used_up = table_[pair].evaluated < 0 && clearance.gap > 0 && moved >= clearance.gap;
@@ -113,8 +112,8 @@ bool BlockContacts::are_distant(const ContactBody& first, const ContactBody& sec
     return body.motion.spin.norm() + (body.strain == nullptr ? 0 : body.strain->rate.norm());
   };
   const Real closing = (second.motion.velocity - first.motion.velocity).norm() +
-                       farthest_ * bodies.reach[at(link.first)] * turning(first) +
-                       farthest_ * bodies.reach[at(link.second)] * turning(second);
+                       reach_of_spheres_ * bodies.reach[at(link.first)] * turning(first) +
+                       reach_of_spheres_ * bodies.reach[at(link.second)] * turning(second);
   const Real change = surface_.skin() / 1000 + 2 * base_step_ * (first.motion.velocity.norm() + second.motion.velocity.norm());
   return room > 2 * base_step_ * closing + std::min(surface_.skin() / 100, change);
 }

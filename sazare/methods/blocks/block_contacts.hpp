@@ -99,13 +99,13 @@ protected:
 
   Joints* joints_;
   geometry::ElementCorners corners_;
-  Real farthest_;                ///< of the points that strain moves, in the reach of their body
   std::vector<float> softness_;  ///< by body: the largest 1/mass that it can show at a point of it [1/kg]
+  terms::StrainTable<2, 2> strain_table_;  ///< of spheres between deformable blocks
+  Real reach_of_spheres_;                  ///< how far from the centre of its block strain moves a sphere, over the block's reach
   ContactSurface surface_;
   std::vector<Link> links_;
   std::vector<Clearance> clearance_;  ///< by pair
   terms::SlotTable<3, 2, terms::ChangingIncidence> table_;
-  terms::StrainTable<2, 2> strain_table_;
 
 private:
   void fit_to_motion(Clearance& clearance) const;

@@ -4,10 +4,9 @@
 
 #include "sazare/geometry/face_map.hpp"
 #include "sazare/methods/blocks/contacts.hpp"
-#include "sazare/methods/blocks/run/joints/deformable_elements.hpp"
 #include "sazare/methods/blocks/run/joints/element_stress.hpp"
-#include "tests/support/blocks_scene.hpp"
 #include "tests/support/box_of_blocks.hpp"
+#include "tests/support/deformable_blocks.hpp"
 #include "tests/support/force_probe.hpp"
 
 namespace sazare::methods::blocks {
@@ -15,59 +14,27 @@ namespace {
 
 using terms::EnergyKind;
 
-cases::BlocksCase deformable(cases::BlocksCase blocks) {
-  for (cases::Material& material : blocks.materials) {
-    material.youngs_modulus = 40e9;
-    material.poisson_ratio = 0.25;
-    material.deformable = true;
-  }
-  for (cases::Joint& joint : blocks.joints) {
-    joint.normal_stiffness = joint.shear_stiffness = std::nullopt;
-    joint.normal_damping = joint.shear_damping = 0;
-  }
-  return blocks;
-}
-
 /// Two deformable blocks without a joint, pressed into each other, strained and turned as no symmetry would.
 struct TouchingPair {
   explicit TouchingPair(const laws::SphereContact& law)
-      : blocks(deformable(test::two_block_case(false))),
-        mesh(test::two_blocks()),
-        bodies(made()),
+      : mesh(test::two_blocks()),
+        bodies(test::deformable_bodies(test::deformable(test::two_block_case(false)), mesh)),
         joints({}, {}, bodies),
         contacts(law, 5, joints, {mesh.nodes, mesh.tetrahedra}, free_faces(), bodies),
         probe(contacts, bodies) {
     bodies.motion[1].position += Vector3(-8e-5, 2e-6, -3e-6);
-    bodies.motion[0].rotation = state::turn(Vector3(1e-4, 2e-4, -1e-4), 1) * bodies.motion[0].rotation;
-    bodies.motion[1].rotation = state::turn(Vector3(-2e-4, 1e-4, 3e-4), 1) * bodies.motion[1].rotation;
-    bodies.strain[0].strain << 1e-4, -2e-4, 3e-5, 5e-5, -1e-4, 2e-4;
-    bodies.strain[1].strain << -1e-4, 1e-4, 6e-5, -8e-5, 1e-4, 3e-5;
+    test::turn(bodies, 0, Vector3(1e-4, 2e-4, -1e-4));
+    test::turn(bodies, 1, Vector3(-2e-4, 1e-4, 3e-4));
+    test::strain_both(bodies);
   }
 
-  state::Bodies<3> made() const {
-    const auto material = runs::materials_by_element(blocks, mesh);
-    state::Bodies<3> all = runs::make_bodies(blocks, mesh, material);
-    runs::add_strains(blocks, material, all);
-    return all;
-  }
   static std::vector<FreeFace> free_faces() {
     std::vector<FreeFace> all;
     for (const Index body : {0, 1})
       for (int face = 0; face < 4; ++face) all.push_back({body, face});
     return all;
   }
-  /// The whole pair about the origin, with its velocities.
-  void turn_all(const Vector3& by) {
-    const Matrix3 turned = state::turn(by, 1);
-    for (auto& motion : bodies.motion) {
-      motion.position = turned * motion.position;
-      motion.rotation = turned * motion.rotation;
-      motion.velocity = turned * motion.velocity;
-      motion.spin = turned * motion.spin;
-    }
-  }
 
-  cases::BlocksCase blocks;
   geometry::TetraMesh mesh;
   state::Bodies<3> bodies;
   Joints joints;
@@ -101,7 +68,7 @@ TEST(deformable_contacts, push_alike_in_a_turned_frame_and_at_one_point) {
     each->bodies.strain[1].predicted_rate << -2, 1, 0, 3, 1, -1;
   }
   const Vector3 by(0.3, -0.5, 0.2);
-  turned.turn_all(by);
+  test::turn_all(turned.bodies, by);
   const auto forces = pair.probe.forces(), others = turned.probe.forces();
   Vector3 moment = Vector3::Zero();
   for (std::size_t body = 0; body < 2; ++body) {
@@ -142,11 +109,10 @@ geometry::TetraMesh two_cubes(Real gap) {
 }
 
 cases::BlocksCase two_rocks() {
-  auto blocks = deformable(test::two_block_case(false));
+  auto blocks = test::two_block_case(false);
   blocks.joints = {test::concrete_joint("left", "left"), test::concrete_joint("right", "right")};
+  blocks = test::deformable(blocks);
   for (cases::Joint& joint : blocks.joints) {
-    joint.normal_stiffness = joint.shear_stiffness = std::nullopt;
-    joint.normal_damping = joint.shear_damping = 0;
     joint.cohesion = joint.tensile_strength = 1e9;
     joint.fracture_energy = 1e7;
   }

@@ -5,9 +5,8 @@
 #include "sazare/levels/terms/face_pressure.hpp"
 #include "sazare/methods/blocks/deformation/elements.hpp"
 #include "sazare/methods/blocks/outer_faces.hpp"
-#include "sazare/methods/blocks/run/joints/deformable_elements.hpp"
 #include "sazare/methods/blocks/run/joints/element_springs.hpp"
-#include "tests/support/blocks_scene.hpp"
+#include "tests/support/deformable_blocks.hpp"
 #include "tests/support/force_probe.hpp"
 
 namespace sazare::methods::blocks {
@@ -19,31 +18,18 @@ using terms::EnergyKind;
 struct StrainedPair {
   explicit StrainedPair(Real damping_ratio = 0) : StrainedPair(rock(damping_ratio), test::two_blocks()) {}
   StrainedPair(const cases::BlocksCase& blocks, const geometry::TetraMesh& mesh)
-      : bodies(made(blocks, mesh)),
+      : bodies(test::deformable_bodies(blocks, mesh)),
         faces(joined(blocks, mesh, bodies)),
         joints({runs::make_joint_kind(blocks.joints[0])}, faces, bodies),
         probe(joints, bodies) {}
 
   static cases::BlocksCase rock(Real damping_ratio) {
-    auto blocks = test::two_block_case(true);
-    for (cases::Material& material : blocks.materials) {
-      material.youngs_modulus = 40e9;
-      material.poisson_ratio = 0.25;
-      material.deformable = true;
-    }
+    auto blocks = test::deformable(test::two_block_case(true));
     cases::Joint& joint = blocks.joints[0];
-    joint.normal_stiffness = joint.shear_stiffness = std::nullopt;
-    joint.normal_damping = joint.shear_damping = 0;
     joint.damping_ratio = damping_ratio;
     joint.tensile_strength = joint.cohesion = 1e12;
     joint.fracture_energy = 1e12;
     return blocks;
-  }
-  static state::Bodies<3> made(const cases::BlocksCase& blocks, const geometry::TetraMesh& mesh) {
-    const auto material = runs::materials_by_element(blocks, mesh);
-    state::Bodies<3> bodies = runs::make_bodies(blocks, mesh, material);
-    runs::add_strains(blocks, material, bodies);
-    return bodies;
   }
   static std::vector<JointFace> joined(const cases::BlocksCase& blocks, const geometry::TetraMesh& mesh,
                                        const state::Bodies<3>& bodies) {
@@ -59,23 +45,9 @@ struct StrainedPair {
   void disturb() {
     bodies.motion[0].position += Vector3(1e-6, -2e-6, 3e-6);
     bodies.motion[1].position += Vector3(4e-6, 2e-6, -1e-6);
-    turn(0, Vector3(1e-5, 2e-5, -1e-5));
-    turn(1, Vector3(-2e-5, 1e-5, 3e-5));
-    bodies.strain[0].strain << 1e-4, -2e-4, 3e-5, 5e-5, -1e-4, 2e-4;
-    bodies.strain[1].strain << -1e-4, 1e-4, 6e-5, -8e-5, 1e-4, 3e-5;
-  }
-  void turn(std::size_t body, const Vector3& by) {
-    bodies.motion[body].rotation = state::turn(by, 1) * bodies.motion[body].rotation;
-  }
-  /// The whole pair about the origin, with its velocities.
-  void turn_all(const Vector3& by) {
-    const Matrix3 turned = state::turn(by, 1);
-    for (auto& motion : bodies.motion) {
-      motion.position = turned * motion.position;
-      motion.rotation = turned * motion.rotation;
-      motion.velocity = turned * motion.velocity;
-      motion.spin = turned * motion.spin;
-    }
+    test::turn(bodies, 0, Vector3(1e-5, 2e-5, -1e-5));
+    test::turn(bodies, 1, Vector3(-2e-5, 1e-5, 3e-5));
+    test::strain_both(bodies);
   }
 
   state::Bodies<3> bodies;
@@ -120,7 +92,7 @@ TEST(deformation, forces_on_strains_are_the_same_in_a_turned_frame) {
     each->bodies.motion[1].velocity = Vector3(0.1, 0.2, -0.3);
     each->bodies.strain[1].predicted_rate << 1, 2, 3, -1, -2, 4;
   }
-  turned.turn_all(Vector3(0.7, -0.4, 1.1));
+  test::turn_all(turned.bodies, Vector3(0.7, -0.4, 1.1));
   pair.probe.forces();
   turned.probe.forces();
   for (const Index body : {0, 1}) {
@@ -164,7 +136,7 @@ void take_along_path(StrainedPair& pair, const StrainedPair& start, Real share) 
   const Real swing = std::sin(6 * share), other = std::cos(5 * share) - 1;
   pair.bodies = start.bodies;
   pair.bodies.motion[1].position += Vector3(-4e-6 * share, 3e-5 * swing, 2e-5 * other);
-  pair.turn(0, Vector3(1e-4 * swing, 2e-4 * other, 0));
+  test::turn(pair.bodies, 0, Vector3(1e-4 * swing, 2e-4 * other, 0));
   pair.bodies.strain[0].strain << 2e-2 * swing, -1e-2 * other, 0, 5e-3 * swing, 0, 1e-2 * other;
   pair.bodies.strain[1].strain << -2e-2 * other, 0, 1e-2 * swing, 0, 4e-3 * other, 0;
 }

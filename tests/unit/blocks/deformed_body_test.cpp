@@ -8,8 +8,8 @@
 
 #include "sazare/geometry/tetra_mesh.hpp"
 #include "sazare/methods/blocks/run/failure.hpp"
-#include "tests/support/blocks_scene.hpp"
 #include "tests/support/box_of_blocks.hpp"
+#include "tests/support/deformable_blocks.hpp"
 
 namespace sazare::methods::blocks {
 namespace {
@@ -141,15 +141,7 @@ TEST(deformed_body, elements_yield_what_joints_leave_them) {
 
 /// Two deformable blocks that are bonded or not.
 runs::BlocksModel two_deformable(bool bonded) {
-  auto blocks = test::two_block_case(bonded);
-  for (cases::Material& material : blocks.materials) {
-    material.youngs_modulus = 50e9;
-    material.poisson_ratio = 0.25;
-    material.deformable = true;
-  }
-  blocks.joints[0].normal_stiffness = blocks.joints[0].shear_stiffness = std::nullopt;
-  blocks.joints[0].normal_damping = blocks.joints[0].shear_damping = 0;
-  return runs::build_blocks(blocks, test::two_blocks());
+  return runs::build_blocks(test::deformable(test::two_block_case(bonded), 50e9), test::two_blocks());
 }
 
 /// Only a joint takes compliance out of its elements: a loose one is as stiff as the material.

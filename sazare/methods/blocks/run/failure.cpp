@@ -19,15 +19,17 @@ namespace {
 
 constexpr std::size_t serial_below = 1024;
 
-/// Strains up to this norm turn no element inside out.
-constexpr Real safe_strain = 0.9;
+/// Whether an element is strained by so little that it cannot be turned inside out.
+bool is_hardly_strained(const state::Bodies<3>& bodies, std::size_t element) {
+  constexpr Real safe_strain = 0.9;
+  return bodies.strain.empty() || bodies.strain[element].strain.squaredNorm() <= safe_strain * safe_strain;
+}
 
 /// Whether the strain of an element has turned it inside out, or is no number.
 bool is_turned_inside_out(const state::Bodies<3>& bodies, Index element) {
-  if (bodies.strain.empty()) return false;
-  const Vector6& strain = bodies.strain[at(element)].strain;
-  if (strain.squaredNorm() <= safe_strain * safe_strain) return false;
-  return !(Eigen::SelfAdjointEigenSolver<Matrix3>(tensor_of(strain), Eigen::EigenvaluesOnly).eigenvalues()[0] > -1);
+  if (is_hardly_strained(bodies, at(element))) return false;
+  const Matrix3 strain = tensor_of(bodies.strain[at(element)].strain);
+  return !(Eigen::SelfAdjointEigenSolver<Matrix3>(strain, Eigen::EigenvaluesOnly).eigenvalues()[0] > -1);
 }
 
 /// Quickly, of all elements at every base step: none that has failed passes as sound. What is no number in any momentum is none
@@ -117,8 +119,8 @@ Index find_failed_element(BlocksModel& model) {
   std::atomic<bool> some_failed = false;
   parallel::parallel_for(at(count), serial_below, [&](std::size_t begin, std::size_t end) {
     for (std::size_t element = begin; element < end; ++element) {
-      const bool sound = is_sound(bodies.motion[element], bodies.reach[element], longest_step) &&
-                         (bodies.strain.empty() || bodies.strain[element].strain.squaredNorm() <= safe_strain * safe_strain);
+      const bool sound =
+          is_sound(bodies.motion[element], bodies.reach[element], longest_step) && is_hardly_strained(bodies, element);
       if (!sound && fails_here(static_cast<Index>(element))) some_failed = true;
     }
   });
@@ -137,7 +139,7 @@ std::string describe_failure(const BlocksModel& model, const cases::CaseFile& fi
   std::string what = "has a motion that is no longer a number";
   if (state::is_finite(motion))
     what = is_turned_inside_out(model.simulation->bodies(), element)
-               ? std::string("is compressed beyond nothing by its strain")
+               ? std::string("has been turned inside out by its strain")
                : fmt::format("moves at {} m/s, farther in one step than its own size",
                              cases::short_number(motion.velocity.norm(), 3));
   return fmt::format("{} (initial position) {}, found at t = {} s\n  {}", element_text(model.mesh, element), what,

@@ -12,7 +12,7 @@ from sazare.report import write_report
 from sazare.results import open_run
 from sazare.summary import headlines
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[3]
 PROGRAM = ROOT / "build/release/apps/sazare/sazare"
 
 

@@ -13,7 +13,7 @@ from sazare.methods import blocks_maps
 from sazare.methods.blocks_body import SHEARED, Body, colors_of_neighbors
 from sazare.report import sections_of
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[3]
 PROGRAM = ROOT / "build/release/apps/sazare/sazare"
 
 

@@ -92,7 +92,7 @@ def test_nothing_is_drawn_without_data():
 
 
 def test_the_von_mises_stress_follows_from_the_components_of_the_stress(tmp_path):
-    root = Path(__file__).resolve().parents[2]
+    root = Path(__file__).resolve().parents[3]
     command = [root / "build/release/apps/sazare/sazare", "run", root / "cases/cantilever-fem/case.toml", "--out", tmp_path / "run", "--quiet"]
     subprocess.run([*command, "--set", "time.end=0.03"], check=True, timeout=120)
     cells = sazare.open(tmp_path / "run").element_snapshots[-1].elements.cell_data

@@ -14,7 +14,7 @@ from sazare.report import write_report
 from sazare.results import open_run
 from synthetic_run import write_grid
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[3]
 PROGRAM = ROOT / "build/release/apps/sazare/sazare"
 
 
