@@ -186,8 +186,8 @@ class Gravity(Part):
     displacements count from it. Default: false.
     """
     max_settling_steps: int | None = None
-    """Maximum steps to reach equilibrium under gravity; after these the ground is reported as unstable. Default: 200000. At least
-    1 and at most 1e+09.
+    """Maximum steps to reach equilibrium under gravity, with 1e-5 of gravity left as acceleration; after these the ground is
+    reported as unstable where more than 1e-4 is left. Default: 200000. At least 1 and at most 1e+09.
     """
 
 

@@ -50,6 +50,33 @@ TEST(run_mps, writes_its_folder_and_its_figures) {
   EXPECT_TRUE(read_text(folder / "run/gauges.csv").starts_with("time [s],GL -100 m.displacement_x [m],"));
 }
 
+/// What a column says of its equilibrium under gravity after so many steps: refused, all but reached, or nothing.
+std::string words_after_settling(int steps) {
+  const TemporaryFolder folder;
+  const auto file = column({"gravity.acceleration=[0, -9.81, 0]", "gravity.settle=true", "time.end=0.05", "particles.spacing=5",
+                            "gravity.max_settling_steps=" + std::to_string(steps)});
+  testing::internal::CaptureStdout();
+  std::string refusal;
+  try {
+    registry::run_case(file, {folder / "run", Begin::fresh, false, nullptr});
+  } catch (const PhysicsError& failure) {
+    refusal = failure.what();
+  }
+  const std::string told = testing::internal::GetCapturedStdout();
+  return refusal.empty() && told.find("all but reached: after ") == std::string::npos ? "" : refusal + told;
+}
+
+/// Ground that is close to its strength creeps for long before it rests to 1e-5 of gravity.
+TEST(run_mps, begins_from_an_equilibrium_that_is_all_but_reached) {
+  EXPECT_NE(words_after_settling(10).find("no equilibrium under gravity: after 10 steps"), std::string::npos);
+  EXPECT_EQ(words_after_settling(100000), "");
+  const auto is_refused = [](int steps) { return words_after_settling(steps).find("no equilibrium") != std::string::npos; };
+  int too_few = 10, enough = 100000;
+  while (enough - too_few > 1) (is_refused((too_few + enough) / 2) ? too_few : enough) = (too_few + enough) / 2;
+  const std::string words = words_after_settling(enough);
+  EXPECT_NE(words.find("all but reached: after " + std::to_string(enough) + " steps"), std::string::npos) << words;
+}
+
 TEST(run_mps, tells_that_nothing_holds_ground_that_falls) {
   const auto checked = [](const std::string& boundary) {
     return registry::check_case(registry::read_case_text(

@@ -211,7 +211,9 @@ constexpr std::array ground_gravity_keys{
         .type = Type::integer,
         .range = {.low = 1, .high = 1000000000},
         .default_text = "200000",
-        .sentence = "Maximum steps to reach equilibrium under gravity; after these the ground is reported as unstable."},
+        .sentence = "Maximum steps to reach equilibrium under gravity, with 1e-5 of gravity left as acceleration; after these "
+                    "the ground is "
+                    "reported as unstable where more than 1e-4 is left."},
 };
 
 constexpr std::array noise_keys{
