@@ -6,6 +6,7 @@ include(CheckCXXCompilerFlag)
 
 option(SAZARE_NATIVE "Compile for the processor of this machine (-march=native)" ON)
 set(SAZARE_MPI "AUTO" CACHE STRING "Build with MPI, for runs on several ranks: ON, OFF, or AUTO where it is installed")
+set(SAZARE_METIS "AUTO" CACHE STRING "Build with METIS, to distribute work over ranks by a graph: ON, OFF, or AUTO where it is installed")
 option(SAZARE_TESTS "Build the C++ tests" ON)
 option(SAZARE_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" ON)
 option(SAZARE_PRECOMPILE "Read the headers that most sources need once for all of them" ON)

@@ -27,6 +27,11 @@ int check(const CheckArguments& arguments) {
   fmt::print(stderr, "{}", file.warnings);  // first: an unusual number may be the reason of what is refused below
   const std::string text = registry::check_case(file);
   fmt::print("{}", text);
+  if (arguments.ranks > 0) {
+    const auto explain = registry::method(file.method).explain_ranks;
+    if (!explain) throw UserError("--ranks: this method runs in one process, with --threads");
+    fmt::print("{}", explain(file, arguments.ranks));
+  }
   fmt::print("\nThe case is valid. To run it: sazare run {}\n", of_case.file.string());
   return arguments.picture.empty() ? done : draw(arguments);
 }

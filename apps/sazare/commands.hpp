@@ -2,7 +2,6 @@
 
 /// The commands of the program, each from its arguments to an exit code. They throw UserError, PhysicsError, MachineError.
 
-#include <array>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -12,9 +11,6 @@
 #include "sazare/runs/run_folder.hpp"
 
 namespace sazare::command {
-
-/// Words for distribute::Policy, in its order.
-inline constexpr std::array<std::string_view, 3> balance_policies = {"fixed", "measured", "predicted"};
 
 inline constexpr int done = 0;
 inline constexpr int stopped = 4;
@@ -32,7 +28,7 @@ struct RunArguments {
   bool resume = false;
   bool overwrite = false;
   bool quiet = false;
-  std::string balance = "predicted";  ///< how ranks share the work: fixed, measured or predicted
+  std::string balance;                ///< how ranks share the work: one of distribute::policy_names; empty: the best there is
   int balance_interval = 50;          ///< base steps between new shares
   std::string side;                   ///< of a hybrid case, where the other one is in another program: continuum or bodies
   std::filesystem::path exchange;     ///< folder of both programs; empty: runs/<name of the case>/exchange
@@ -41,6 +37,7 @@ struct RunArguments {
 
 struct CheckArguments {
   CaseArguments of_case;
+  int ranks = 0;                  ///< tell how so many processes would share the case; 0: nothing
   std::filesystem::path picture;  ///< of the model, drawn by Python; empty: none
 };
 

@@ -4,6 +4,7 @@
 
 #include "apps/sazare/commands.hpp"
 #include "sazare/core/version.hpp"
+#include "sazare/levels/distribute/partition.hpp"
 #include "sazare/observe/manifest.hpp"
 #include "sazare/parallel/threads.hpp"
 
@@ -29,6 +30,7 @@ int info(const parallel::Ranks& ranks) {
   fmt::print("machine   {}, {} processors\n", machine.cpu, machine.cores);
   fmt::print("threads   {}\n", machine.threads);
   fmt::print("MPI       {}\n", mpi_text(ranks));
+  fmt::print("METIS     {}\n", distribute::has_graph_partition() ? "yes" : "no (install libmetis-dev and build again for it)");
   return done;
 }
 

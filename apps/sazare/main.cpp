@@ -20,6 +20,7 @@
 #include "apps/sazare/signals.hpp"
 #include "sazare/core/error.hpp"
 #include "sazare/core/version.hpp"
+#include "sazare/levels/distribute/balance.hpp"
 
 namespace {
 
@@ -131,10 +132,12 @@ void describe(CLI::App& app, Arguments& arguments) {
   run.add_option("--out", arguments.run.folder, "the run's folder (default: runs/<name of the case>)")->type_name("DIR");
   auto* resume = run.add_flag("--resume", arguments.run.resume, "resume a stopped or killed run from its checkpoint");
   run.add_flag("--overwrite", arguments.run.overwrite, "replace the run that is in the folder")->excludes(resume);
-  run.add_option("--balance", arguments.run.balance,
-                 "with mpirun: how the work is distributed over ranks: fixed, measured (from the times of the last interval) or "
-                 "predicted (default)")
-      ->check(CLI::IsMember(std::vector<std::string>(command::balance_policies.begin(), command::balance_policies.end())))
+  run.add_option(
+         "--balance", arguments.run.balance,
+         "with mpirun: how the work is distributed over ranks: graph (each time level evenly with few links between ranks, by "
+         "METIS; the default where it is installed), by_level (each time level evenly; the default elsewhere), predicted, "
+         "measured, fixed, or random (a trial)")
+      ->check(CLI::IsMember(std::vector<std::string>(distribute::policy_names.begin(), distribute::policy_names.end())))
       ->type_name("POLICY");
   run.add_option("--balance-interval", arguments.run.balance_interval,
                  "base steps between two distributions of the work (default 50)")
@@ -150,6 +153,9 @@ void describe(CLI::App& app, Arguments& arguments) {
                   "draw the model at t = 0 with its groups, boundaries, loads and gauges (.png, .pdf, .svg or .jpg)")
       ->check(has_ending_of_picture)
       ->type_name("FILE");
+  check.add_option("--ranks", arguments.check.ranks, "tell how so many processes of mpirun would share the work")
+      ->check(CLI::Range(2, 1000000))
+      ->type_name("N");
   add_trust(check);
   auto& study = *app.add_subcommand("study", "families of cases: the stability limit of each, by bisection");
   describe_study(study, arguments.study);

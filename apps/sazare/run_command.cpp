@@ -9,7 +9,9 @@
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/cases/format/shell_word.hpp"
 #include "sazare/core/error.hpp"
+#include "sazare/levels/distribute/partition.hpp"
 #include "sazare/parallel/processors.hpp"
+#include "sazare/parallel/same_program.hpp"
 #include "sazare/parallel/threads.hpp"
 #include "sazare/registry/registry.hpp"
 #include "sazare/runs/progress.hpp"
@@ -25,9 +27,17 @@ runs::Begin begin_of(const RunArguments& arguments) {
   return arguments.resume ? runs::Begin::resume : arguments.overwrite ? runs::Begin::overwrite : runs::Begin::fresh;
 }
 
+distribute::Policy policy_of(const RunArguments& arguments) {
+  using distribute::Policy;
+  if (arguments.balance.empty()) return distribute::has_graph_partition() ? Policy::graph : Policy::by_level;
+  const auto policy =
+      static_cast<Policy>(std::ranges::find(distribute::policy_names, arguments.balance) - distribute::policy_names.begin());
+  if (policy == Policy::graph) distribute::require_graph_partition();
+  return policy;
+}
+
 levels::Sharing sharing_of(const RunArguments& arguments, const parallel::Ranks& ranks) {
-  const auto policy = std::ranges::find(balance_policies, arguments.balance) - balance_policies.begin();
-  return {ranks.size() > 1 ? &ranks : nullptr, static_cast<distribute::Policy>(policy), arguments.balance_interval};
+  return {ranks.size() > 1 ? &ranks : nullptr, policy_of(arguments), arguments.balance_interval};
 }
 
 /// runs/<name>, and with one side only a folder of the side in it.
@@ -71,9 +81,10 @@ void use_threads(int asked, bool speaks) {
 
 int run(const RunArguments& arguments, const parallel::Ranks& ranks) {
   stop_on_signals();
+  parallel::require_same_program(ranks);
   use_threads(arguments.of_case.threads, ranks.is_first());
   const cases::CaseFile file = registry::read_case(arguments.of_case.file, arguments.of_case.settings);
-  if (ranks.size() > 1 && !registry::method(file.method).runs_on_ranks)
+  if (ranks.size() > 1 && !registry::method(file.method).explain_ranks)
     throw UserError(
         fmt::format("this method runs in one process, and {} were started: do not use mpirun, use --threads", ranks.size()));
   if (ranks.is_first()) fmt::print(stderr, "{}", file.warnings);

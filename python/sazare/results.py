@@ -97,8 +97,8 @@ class Results:
 
     @cached_property
     def ranks(self):
-        """ranks.csv of a run of several processes, one row per rank and interval: time, rank, processor_time [s] and
-        bytes_sent [B], both cumulative, exchange_time [s], first_element. Empty for a run of one process."""
+        """ranks.csv of a run of several processes, one row per rank and interval: time, rank, processor_time [s], exchange_time [s],
+        bytes_sent [B] and messages_sent so far, lock_step, elements and more. Empty for a run of one process."""
         return self._table("ranks.csv")
 
     @cached_property

@@ -79,7 +79,9 @@ void Simulation<D>::start() {
   const std::int64_t begin = clock_now();
   tick();
   stepped_ += clock_now() - begin;
-  if (replicas_) take_ranges(balance_.first(replicas_->ranges(), due_in_base_step()));
+  if (!replicas_) return;
+  tick_work_.clear();
+  take_owners(balance_.first(replicas_->owners(), outlook(balance_.looks_at(), replicas_->owners())));
 }
 
 template <int D>
@@ -109,6 +111,7 @@ void Simulation<D>::tick() {
   const std::int64_t begin = is_measured ? clock_now() : 0;
   std::int64_t since = begin;
   const bool base = now_.tick % schedule::base_stride == 0;
+  if (replicas_) tick_work_.push_back(0);
   if (base && replicas_ && travels()) replicas_->fetch_all();
   if (base)
     levels_.relevel(bodies_);
@@ -150,13 +153,14 @@ void Simulation<D>::collect_due() {
   call_back();
 }
 
-/// Bodies that are due earlier than they had planned, where their motion is known.
+/// Takes bodies that are due earlier than they had planned back to now. Those of others come from there.
 template <int D>
 void Simulation<D>::call_back() {
-  std::vector<Index> due = levels_.take_quickened(schedule::coarsest_due(now_.tick));
-  if (replicas_ && !due.empty()) {
+  std::vector<Index> due = levels_.take_quickened(schedule::coarsest_due(now_.tick)), elsewhere;
+  if (due.empty()) return;
+  if (replicas_) {
     const std::vector<Index> everywhere = std::exchange(due, {});
-    replicas_->share_out(everywhere, due, due);
+    replicas_->share_out(everywhere, due, elsewhere);
   }
   for (const Index body : due) {
     if (bodies_.motion[at(body)].due == now_.tick) continue;
@@ -164,6 +168,7 @@ void Simulation<D>::call_back() {
       if (!strain_terms_.empty()) motion::drift_strain_back(bodies_, body, now_);
     motion::drift_back(bodies_.motion[at(body)], bodies_.inertia[at(body)], now_);
   }
+  if (replicas_) replicas_->exchange(due, elsewhere);
 }
 
 /// Links of a term that are due and evaluated here; returns how many are due everywhere.
@@ -300,7 +305,7 @@ std::int64_t Simulation<D>::post_step(std::int64_t since) {
     if (!base && changes.empty()) continue;
     levels_.apply(term, changes, now_.tick);
     if (replicas_)
-      for (const Index link : changes.new_links) replicas_->add_link(terms_[term]->links()[at(link)]);
+      for (const Index link : changes.new_links) replicas_->add_link(*terms_[term], link);
     since = add_time(term, since);
   }
   return add_time(terms_.size() + 1, since);
@@ -331,7 +336,7 @@ void Simulation<D>::columns(Archive& archive) {
   archive("uniform_evaluations", counters_.uniform_evaluations);
   for (const auto& term : terms_) archive.folder(std::string(term->name()), [&] { term->columns(archive); });
   archive.folder("levels", [&] { levels_.columns(archive); });
-  if (replicas_ && archive.reading()) replicas_->divide(replicas_->ranges());
+  if (replicas_ && archive.reading()) replicas_->divide(replicas_->owners());
 }
 
 template class Simulation<2>;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -63,17 +64,31 @@ struct Survey {
 struct Sharing {
   const parallel::Ranks* ranks = nullptr;  ///< none: this process does it all
   distribute::Policy policy = distribute::Policy::predicted;
-  std::int64_t interval = 50;  ///< base steps between cuts
+  std::int64_t interval = 50;  ///< base steps after which owners are chosen anew
 };
 
-/// What one rank had to do until a cut.
+/// What one rank had to do until owners were chosen anew.
 struct RankWork {
   Tick tick = 0;
   int rank = 0;
-  Real seconds = 0;        ///< processor time of evaluations and kicks since the last cut
-  Real talking = 0;        ///< wall-clock time of exchanges with others since the run began [s]
-  std::int64_t bytes = 0;  ///< sent to others, since the run began
-  Index first_body = 0;    ///< of its range until then
+  Real seconds = 0;                ///< processor time of evaluations and kicks in the interval
+  parallel::Traffic traffic;       ///< since the run began
+  parallel::Sent expected_motion;  ///< about bodies at the borders, as foretold from levels and owners, see Replicas
+  Real lock_step = 1;              ///< mean over ranks of evaluations and kicks over the largest, of all ticks of the interval
+  Index border = 0;                ///< own bodies that others see
+  Index ranges = 0;                ///< pieces of the curve that it owns
+  std::array<Index, schedule::level_count> bodies{};  ///< that it owns, by active level
+
+  Index body_count() const { return std::accumulate(bodies.begin(), bodies.end(), Index{0}); }
+};
+
+/// What a number of ranks would have to do and to say.
+struct SharingForecast {
+  Real lock_step = 1;  ///< as in RankWork
+  Index fewest = 0;    ///< bodies of a rank
+  Index most = 0;
+  Real twice = 0;         ///< share of the evaluations of links that two ranks do
+  parallel::Sent motion;  ///< about bodies at the borders in a base step: of the rank that sends most
 };
 
 template <int D>
@@ -108,13 +123,17 @@ public:
   void unite(std::vector<Index>& list) { peers().unite(list); }
   bool owns(Index body) const { return replicas_ == nullptr || replicas_->owns(body); }
 
+  /// What so many processes would have to do and to say, as levels stand now.
+  SharingForecast forecast(distribute::Policy policy, int ranks) const;
+
   /// With several processes: work of every rank since the last call, interval by interval. Empty when alone.
   std::vector<RankWork> take_rank_work() { return std::exchange(rank_work_, {}); }
 
   /// Positions and velocities at `now()`: the part of the last kicks that acts after it is taken back.
   Snapshot<D> snapshot() const {
     Snapshot<D> now;
-    take_snapshot(0, bodies_.size(), now);
+    const distribute::BodyRange all{0, bodies_.size()};
+    take_snapshot({&all, 1}, now);
     return now;
   }
   /// One body of it; with several processes, one that this process works for.
@@ -142,8 +161,14 @@ private:
   void call_back();
   void take_refined();
   void divide_anew();
-  void take_ranges(distribute::Ranges next);
-  std::vector<std::vector<Real>> due_in_base_step() const;
+  void take_owners(distribute::Owners next);
+  distribute::Outlook outlook(distribute::Outlook::Kind kind, const distribute::Owners& owners) const;
+  distribute::ChunkWork chunk_work(int ranks, bool with_borders) const;
+  std::vector<std::vector<Real>> work_at_levels(const distribute::Owners& owners) const;
+  RankWork own_rank_work() const;
+  template <class Visit>
+  void visit_links(Visit&& visit) const;
+  std::vector<std::vector<Real>> due_in_base_step(const distribute::Owners& owners) const;
   void count_work(std::size_t kind, std::size_t count, Real since);
   terms::Peers& peers() { return replicas_ ? static_cast<terms::Peers&>(*replicas_) : alone_; }
   bool travels() const;
@@ -159,7 +184,7 @@ private:
   std::int64_t add_time(std::size_t part, std::int64_t since);
   template <class Take>
   void gather(Index begin, Index end, Real until_next, Take&& take) const;
-  void take_snapshot(Index begin, Index end, Snapshot<D>& at_now) const;
+  void take_snapshot(std::span<const distribute::BodyRange> ranges, Snapshot<D>& at_now) const;
   void sum_body_energies(const Snapshot<D>& at_now, const distribute::Replicas<D>* shared,
                          std::vector<state::MeanMotion<D>>& ahead, terms::EnergySums& sums) const;
   terms::EnergySums energy_sums(const Snapshot<D>& at_now, const distribute::Replicas<D>* shared,
@@ -189,6 +214,8 @@ private:
   distribute::Balance balance_;
   distribute::Work own_work_;
   std::int64_t interval_ = 0;
+  std::vector<std::int32_t> tick_work_;  ///< evaluations and kicks of this rank at each tick of the interval
+  parallel::Sent expected_motion_;       ///< until the end of the interval
   std::vector<RankWork> rank_work_;
 };
 

@@ -45,23 +45,25 @@ void Simulation<D>::gather(Index begin, Index end, Real until_next, Take&& take)
   });
 }
 
-/// Fills the snapshot of a range of bodies.
+/// Fills the snapshot of ranges of bodies.
 template <int D>
-void Simulation<D>::take_snapshot(Index begin, Index end, Snapshot<D>& at_now) const {
+void Simulation<D>::take_snapshot(std::span<const distribute::BodyRange> ranges, Snapshot<D>& at_now) const {
   at_now.pose.resize(at(bodies_.size()));
   at_now.velocity.resize(at_now.pose.size());
   at_now.angular_momentum.resize(at_now.pose.size());
-  gather(begin, end, 0, [&](std::size_t first, std::span<const state::Impulse<D>> given) {
+  const auto enter = [&](std::size_t first, std::span<const state::Impulse<D>> given) {
     const auto some = [&](auto& column) { return std::span(column).subspan(first, given.size()); };
     state::poses_at(some(bodies_.motion), now_, some(at_now.pose));
     motion::find_momenta<D>(bodies_, first, given, {some(at_now.pose), some(at_now.velocity), some(at_now.angular_momentum)});
-  });
+  };
+  for (const distribute::BodyRange& range : ranges) gather(range.begin, range.end, 0, enter);
   if (strain_terms_.empty()) return;
   at_now.strain.resize(at(bodies_.size()));
-  parallel::parallel_for(at(end - begin), serial_below, [&](std::size_t from, std::size_t to) {
-    for (std::size_t body = at(begin) + from; body < at(begin) + to; ++body)
-      at_now.strain[body] = strain_now(static_cast<Index>(body));
-  });
+  for (const distribute::BodyRange& range : ranges)
+    parallel::parallel_for(at(range.end - range.begin), serial_below, [&](std::size_t from, std::size_t to) {
+      for (std::size_t body = at(range.begin) + from; body < at(range.begin) + to; ++body)
+        at_now.strain[body] = strain_now(static_cast<Index>(body));
+    });
 }
 
 /// The strain of a body at `now()`.
@@ -110,19 +112,21 @@ template <int D>
 void Simulation<D>::sum_body_energies(const Snapshot<D>& at_now, const distribute::Replicas<D>* shared,
                                 std::vector<state::MeanMotion<D>>& ahead, terms::EnergySums& sums) const {
   ahead.resize(at_now.pose.size());
-  const auto first = shared == nullptr ? 0 : at(shared->ranges().begin(shared->ranks().rank()));
-  const auto last = shared == nullptr ? ahead.size() : at(shared->ranges().end(shared->ranks().rank()));
+  const distribute::BodyRange all{0, static_cast<Index>(ahead.size())};
+  const auto own = shared == nullptr ? std::span(&all, 1) : shared->own_ranges();
   terms::sum_over_ranges(ahead.size(), serial_below, sums, [&](std::size_t begin, std::size_t end, terms::EnergySums& part) {
     const auto some = [&](const auto& column) { return std::span(column).subspan(begin, end - begin); };
     std::vector<Real> kinetic(end - begin);
     motion::find_energies<D>(bodies_, begin, {some(at_now.pose), some(at_now.velocity), some(at_now.angular_momentum)}, kinetic,
                           std::span(ahead).subspan(begin, end - begin));
-    const std::size_t from = std::clamp(first, begin, end), to = std::clamp(last, begin, end);
-    for (std::size_t body = from; body < to; ++body) part[terms::EnergyKind::kinetic] += kinetic[body - begin];
-    if (!at_now.strain.empty())
-      for (std::size_t body = from; body < to; ++body)
-        part[terms::EnergyKind::kinetic] += motion::strain_energy(bodies_.strain[body], at_now.strain[body].rate);
-    terms::add_work(std::span(work_).subspan(from, to - from), part);
+    for (const distribute::BodyRange& range : own) {
+      const std::size_t from = std::clamp(at(range.begin), begin, end), to = std::clamp(at(range.end), begin, end);
+      for (std::size_t body = from; body < to; ++body) part[terms::EnergyKind::kinetic] += kinetic[body - begin];
+      if (!at_now.strain.empty())
+        for (std::size_t body = from; body < to; ++body)
+          part[terms::EnergyKind::kinetic] += motion::strain_energy(bodies_.strain[body], at_now.strain[body].rate);
+      terms::add_work(std::span(work_).subspan(from, to - from), part);
+    }
   });
 }
 
@@ -151,16 +155,17 @@ Survey<D> Simulation<D>::survey(Survey<D> former) const {
   Survey<D> now = std::move(former);
   Snapshot<D>& all = now.bodies;
   if (!replicas_) {
-    take_snapshot(0, bodies_.size(), all);
+    const distribute::BodyRange every{0, bodies_.size()};
+    take_snapshot({&every, 1}, all);
     now.energy = close(energy_sums(all, nullptr, now.ahead));
     return now;
   }
-  const int rank = replicas_->ranks().rank();
-  take_snapshot(replicas_->ranges().begin(rank), replicas_->ranges().end(rank), all);
+  take_snapshot(replicas_->own_ranges(), all);
   replicas_->complete(all.pose);
   replicas_->complete(all.velocity);
   replicas_->complete(all.angular_momentum);
   if (!all.strain.empty()) replicas_->complete(all.strain);
+  replicas_->show_borders();
   terms::EnergySums sum;
   for (const terms::EnergySums& part : replicas_->give_first(energy_sums(all, replicas_.get(), now.ahead))) sum += part;
   now.energy = close(sum);
@@ -169,8 +174,8 @@ Survey<D> Simulation<D>::survey(Survey<D> former) const {
 
 template state::StrainNow Simulation<2>::strain_now(Index) const;
 template state::StrainNow Simulation<3>::strain_now(Index) const;
-template void Simulation<2>::take_snapshot(Index, Index, Snapshot<2>&) const;
-template void Simulation<3>::take_snapshot(Index, Index, Snapshot<3>&) const;
+template void Simulation<2>::take_snapshot(std::span<const distribute::BodyRange>, Snapshot<2>&) const;
+template void Simulation<3>::take_snapshot(std::span<const distribute::BodyRange>, Snapshot<3>&) const;
 template BodyNow<2> Simulation<2>::body_now(Index) const;
 template BodyNow<3> Simulation<3>::body_now(Index) const;
 template terms::EnergyBalance Simulation<2>::close(const terms::EnergySums&) const;

@@ -29,7 +29,23 @@ bool is_launched() {
 
 }  // namespace
 
+Sent Traffic::total() const {
+  Sent all;
+  for (const Sent& about : sent) {
+    all.bytes += about.bytes;
+    all.messages += about.messages;
+  }
+  return all;
+}
+
 Ranks::Ranks() = default;
+
+/// Enters messages, each of so many bytes.
+void Ranks::count(Topic topic, std::size_t bytes, int messages) const {
+  Sent& sent = traffic_.sent[static_cast<std::size_t>(topic)];
+  sent.bytes += static_cast<std::int64_t>(bytes) * messages;
+  sent.messages += messages;
+}
 
 #if defined(SAZARE_MPI)
 
@@ -109,7 +125,7 @@ void Ranks::barrier() const {
   wait({&request, 1});
 }
 
-Gathered Ranks::gather(std::span<const std::byte> own, To to) const {
+Gathered Ranks::gather(std::span<const std::byte> own, Topic topic, To to) const {
   const auto n = static_cast<std::size_t>(size_);
   Gathered gathered{{}, std::vector<std::size_t>(n + 1, 0)};
   if (size_ == 1) {
@@ -127,7 +143,7 @@ Gathered Ranks::gather(std::span<const std::byte> own, To to) const {
   }
   for (std::size_t rank = 0; rank < n; ++rank) gathered.begin[rank + 1] = gathered.begin[rank] + sizes[rank];
   gathered.bytes.resize(gathered.begin.back());
-  traffic_.bytes += static_cast<std::int64_t>(own.size()) * (to == To::all ? size_ - 1 : is_first() ? 0 : 1);
+  count(topic, own.size(), to == To::all ? size_ - 1 : is_first() ? 0 : 1);
   const std::size_t part = largest_part / n, largest = *std::max_element(sizes.begin(), sizes.end());
   for (std::size_t done = 0; done < largest; done += part) gather_round(gathered, own, to, done, part);
   if (to == To::first && !is_first())
@@ -173,7 +189,7 @@ std::int64_t Ranks::from_first(std::int64_t number) const {
   return number;
 }
 
-void Ranks::exchange(const std::vector<Message>& sent, std::vector<Message>& received) const {
+void Ranks::exchange(const std::vector<Message>& sent, std::vector<Message>& received, Topic topic) const {
   Wait wait(*this);
   std::vector<MPI_Request> requests(sent.size() + received.size(), MPI_REQUEST_NULL);
   std::size_t next = 0;
@@ -181,7 +197,7 @@ void Ranks::exchange(const std::vector<Message>& sent, std::vector<Message>& rec
     MPI_Irecv(message.bytes.data(), count_of(message.bytes.size()), MPI_BYTE, message.rank, 0, MPI_COMM_WORLD, &requests[next++]);
   for (const Message& message : sent) {
     MPI_Isend(message.bytes.data(), count_of(message.bytes.size()), MPI_BYTE, message.rank, 0, MPI_COMM_WORLD, &requests[next++]);
-    traffic_.bytes += static_cast<std::int64_t>(message.bytes.size());
+    count(topic, message.bytes.size(), 1);
   }
   wait(requests);
 }
@@ -205,11 +221,11 @@ Ranks::~Ranks() = default;
 
 void Ranks::barrier() const {}
 
-Gathered Ranks::gather(std::span<const std::byte> own, To) const { return {{own.begin(), own.end()}, {0, own.size()}}; }
+Gathered Ranks::gather(std::span<const std::byte> own, Topic, To) const { return {{own.begin(), own.end()}, {0, own.size()}}; }
 
 std::int64_t Ranks::from_first(std::int64_t number) const { return number; }
 
-void Ranks::exchange(const std::vector<Message>&, std::vector<Message>&) const {}
+void Ranks::exchange(const std::vector<Message>&, std::vector<Message>&, Topic) const {}
 
 void Ranks::abort(int exit_code) const { std::_Exit(exit_code); }
 

@@ -2,6 +2,7 @@
 
 /// The processes that run one case together, and all that they say to each other.
 
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -30,10 +31,30 @@ struct Message {
   std::vector<std::byte> bytes;
 };
 
+/// What ranks tell each other about.
+enum class Topic {
+  motion,   ///< bodies at the borders, at every tick
+  changes,  ///< what breaks, begins and ends
+  search,   ///< bodies that a search for contacts looks at
+  rows,     ///< rows of histories
+  state,    ///< all of the run: snapshots, checkpoints, a new distribution of the work
+  other,
+};
+inline constexpr std::size_t topic_count = 6;
+
+/// What a rank has sent to others. What all give to all counts as one message to each of the others.
+struct Sent {
+  std::int64_t bytes = 0;
+  std::int64_t messages = 0;
+};
+
 /// What talking has cost a rank so far.
 struct Traffic {
-  std::int64_t bytes = 0;  ///< sent to others
-  double seconds = 0;      ///< wall-clock time, waiting for others included
+  std::array<Sent, topic_count> sent;  ///< by topic
+  double seconds = 0;                  ///< wall-clock time, waiting for others included
+
+  const Sent& of(Topic topic) const { return sent[static_cast<std::size_t>(topic)]; }
+  Sent total() const;
 };
 
 /// One process, or those of an MPI launch when Sazare was built with MPI. One object per process, made at the start of main
@@ -60,13 +81,13 @@ public:
   void barrier() const;
 
   /// Everybody's bytes to everybody, or to the first rank: the others then have only their own. All call it.
-  Gathered gather(std::span<const std::byte> own, To to = To::all) const;
+  Gathered gather(std::span<const std::byte> own, Topic topic, To to = To::all) const;
 
   /// The first rank's number to everybody; all call it.
   std::int64_t from_first(std::int64_t number) const;
 
   /// Sends messages and fills those that come: their ranks and sizes are known.
-  void exchange(const std::vector<Message>& sent, std::vector<Message>& received) const;
+  void exchange(const std::vector<Message>& sent, std::vector<Message>& received, Topic topic) const;
 
   /// Ends all processes at once with this exit code; nothing is flushed.
   [[noreturn]] void abort(int exit_code) const;
@@ -79,6 +100,7 @@ public:
 
 private:
   class Wait;
+  void count(Topic topic, std::size_t bytes, int messages) const;
   void gather_round(Gathered& gathered, std::span<const std::byte> own, To to, std::size_t done, std::size_t part) const;
 
   int rank_ = 0;

@@ -40,7 +40,8 @@ struct Method {
   /// The headline figures of a finished run, as lines of text.
   std::string (*summary)(const observe::Manifest& manifest);
   FolderTables (*tables)();
-  bool runs_on_ranks = false;  ///< whether several processes may share a run
+  /// How so many processes would share a case, in words; none where a run is one process.
+  std::string (*explain_ranks)(const cases::CaseFile& file, int ranks) = nullptr;
   /// The limit step of a case by trial; none where a study does not seek it.
   FoundLimit (*find_limit)(const cases::CaseFile& file, const LimitRules& rules) = nullptr;
 };

@@ -7,10 +7,14 @@ import subprocess
 import time
 
 import pytest
-from conftest import DONE, MACHINE_FAILED, MPI_ENVIRONMENT, USER_ERROR, Sazare, manifest, rows_without_wall_time
+from conftest import DONE, MACHINE_FAILED, MPI_ENVIRONMENT, PROGRAM, USER_ERROR, Sazare, manifest, rows_without_wall_time
 
 OFTEN = "output.checkpoint_interval=0.02"
 LATER = "time.end=4e-4"
+NEEDS_METIS = pytest.mark.skipif(
+    subprocess.run([PROGRAM, "run", "none.toml", "--balance", "graph"], capture_output=True, text=True, check=False).stderr.count("METIS") > 0,
+    reason="built without METIS",
+)
 LONG = ("--set", "time.end=1.2e-2")  # seconds: whoever interrupts it comes before its end
 
 
@@ -46,6 +50,14 @@ def assert_same_results(one, many):
     assert rows_without_wall_time(one / "history.csv") == rows_without_wall_time(many / "history.csv")
     for name in ("gauges.csv", "gauge_peaks.csv", "fragments.csv"):
         assert (one / name).read_bytes() == (many / name).read_bytes()
+
+
+def rank_rows(folder):
+    """The rows of ranks.csv, by rank, with numbers by the names of their columns without units."""
+    with open(folder / "ranks.csv", newline="") as stream:
+        rows = [{title.split(" ")[0]: float(text) for title, text in row.items()} for row in csv.DictReader(stream)]
+    ranks = int(max(row["rank"] for row in rows)) + 1
+    return [[row for row in rows if row["rank"] == rank] for rank in range(ranks)]
 
 
 def elastic_block(folder):
@@ -116,6 +128,10 @@ def test_gas_of_a_charge_is_the_same_where_faces_change_their_rank(sazare, tmp_p
         (3, 1, ["--balance", "measured", "--balance-interval", 7]),
         (4, 1, ["--balance", "predicted", "--balance-interval", 5]),
         (5, 2, ["--balance", "fixed"]),
+        (8, 1, ["--balance", "by_level", "--balance-interval", 9]),
+        (3, 2, ["--balance", "random", "--balance-interval", 3]),
+        (8, 1, ["--balance", "random", "--balance-interval", 11]),
+        pytest.param(5, 1, ["--balance", "graph", "--balance-interval", 8], marks=NEEDS_METIS),
     ],
 )
 def test_any_number_of_ranks_gives_the_same_bits(sazare, tmp_path, alone, ranks, threads, options):
@@ -123,6 +139,18 @@ def test_any_number_of_ranks_gives_the_same_bits(sazare, tmp_path, alone, ranks,
     assert done.returncode == DONE, done.stderr
     assert manifest(alone)["results"]["broken_joints"] > 0
     assert_same_results(alone, tmp_path / "run")
+
+
+@pytest.mark.parametrize("policy", ["by_level", "random", pytest.param("graph", marks=NEEDS_METIS)])
+@pytest.mark.parametrize("deformable", ["false", "true"])
+def test_elastic_elements_give_the_same_bits_whoever_owns_them(sazare, tmp_path, policy, deformable):
+    case = elastic_block(tmp_path)
+    options = ("--threads", 1, "--set", LATER, "--set", f"materials.0.deformable={deformable}")
+    alone = sazare("run", case, "--out", tmp_path / "alone", *options)
+    assert alone.returncode == DONE, alone.stderr
+    many = sazare.on_ranks(4, "run", case, "--out", tmp_path / "many", *options, "--balance", policy, "--balance-interval", 6)
+    assert many.returncode == DONE, many.stderr
+    assert_same_results(tmp_path / "alone", tmp_path / "many")
 
 
 def test_under_a_travel_limit_bodies_refine_each_other_across_ranks(sazare, tmp_path):
@@ -151,15 +179,59 @@ def test_joints_that_slip_far_before_they_break(sazare, tmp_path):
 
 def test_what_each_rank_did_is_written(sazare, tmp_path):
     sazare.on_ranks(3, *block_run(sazare, tmp_path / "run", "--balance-interval", 10))
-    with open(tmp_path / "run" / "ranks.csv", newline="") as stream:
-        rows = list(csv.DictReader(stream))
-    assert {row["rank [-]"] for row in rows} == {"0", "1", "2"}
-    for rank in "012":
-        own = [row for row in rows if row["rank [-]"] == rank]
-        for column in ("time [s]", "processor_time [s]", "exchange_time [s]", "bytes_sent [B]"):
-            values = [float(row[column]) for row in own]
+    by_rank = rank_rows(tmp_path / "run")
+    assert len(by_rank) == 3
+    for own in by_rank:
+        for column in ("time", "processor_time", "exchange_time", "bytes_sent", "messages_sent"):
+            values = [row[column] for row in own]
             assert values == sorted(values) and values[-1] > 0
+    topics = ("motion", "changes", "search", "rows", "state", "other")
+    elements = manifest(tmp_path / "run")["results"]["elements"]
+    for rows in zip(*by_rank, strict=True):
+        assert sum(row["elements"] for row in rows) == elements
+        assert len({row["lock_step"] for row in rows}) == 1 and 1 / 3 <= rows[0]["lock_step"] <= 1
+        for row in rows:
+            assert row["bytes_sent"] == sum(row[f"{topic}_bytes"] for topic in topics)
+            assert row["messages_sent"] == sum(row[f"{topic}_messages"] for topic in topics)
+            assert row["elements"] == sum(row[name] for name in row if name.startswith("elements_level_"))
+            assert 0 < row["border_elements"] <= row["elements"]
     assert manifest(tmp_path / "run")["machine"]["ranks"] == 3
+
+
+@pytest.mark.parametrize("policy", ["fixed", "by_level", "random", pytest.param("graph", marks=NEEDS_METIS)])
+def test_what_borders_send_is_what_levels_and_owners_foretell(sazare, tmp_path, policy):
+    """While nothing breaks and no level changes, every byte and message about elements at borders is foretold."""
+    strong = ("tensile_strength=1e9", "cohesion=1e9", "fracture_energy=1e8")
+    sets = [word for setting in strong for word in ("--set", f"joints.0.{setting}")]
+    done = sazare.on_ranks(5, *block_run(sazare, tmp_path / "run", "--balance", policy, "--balance-interval", 4, *sets))
+    assert done.returncode == DONE, done.stderr
+    assert manifest(tmp_path / "run")["results"]["broken_joints"] == 0
+    by_rank = rank_rows(tmp_path / "run")
+    assert sum(own[-1]["motion_bytes"] for own in by_rank) > 0
+    for own in by_rank:
+        assert len(own) > 3
+        for before, after in zip(own, own[1:], strict=False):
+            for of in ("bytes", "messages"):
+                assert after[f"motion_{of}"] - before[f"motion_{of}"] == after[f"expected_motion_{of}"] - before[f"expected_motion_{of}"]
+
+
+@pytest.mark.parametrize("policy", ["fixed", "by_level"])
+def test_check_foretells_the_lock_step_of_ranks(sazare, tmp_path, policy):
+    strong = ("joints.0.tensile_strength=1e9", "joints.0.cohesion=1e9", "joints.0.fracture_energy=1e8", LATER)
+    sets = [word for setting in strong for word in ("--set", setting)]
+    told = sazare("check", sazare.block, "--ranks", 4, *sets)
+    assert told.returncode == DONE, told.stderr
+    foretold = float(next(line.split()[1] for line in told.stdout.splitlines() if line.startswith(f"  {policy} ")))
+    done = sazare.on_ranks(4, *block_run(sazare, tmp_path / "run", "--balance", policy, "--balance-interval", 10, *sets))
+    assert done.returncode == DONE, done.stderr
+    assert 0.5 < foretold < 1
+    assert rank_rows(tmp_path / "run")[0][0]["lock_step"] == pytest.approx(foretold, abs=0.0051)
+
+
+def test_check_of_a_method_in_one_process_refuses_ranks(sazare):
+    refused = sazare("check", sazare.block.parents[3] / "cases/sphere-drum/case.toml", "--ranks", 4)
+    assert refused.returncode == USER_ERROR
+    assert "one process" in refused.stderr
 
 
 def kill_one(process, folder):

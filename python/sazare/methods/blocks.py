@@ -141,7 +141,8 @@ def _rank_section(results):
     """The picture of a run of several processes."""
     return Section(
         "ranks", "Ranks",
-        "Cumulative processor time of each rank; load imbalance of each interval; and the first element of each rank's range.",
+        "Processor time of each rank so far, and load imbalance of each interval; lock step, the mean over the ranks of the work at a tick "
+        "over the largest of it (1: no rank waits for another one's work); and the number of elements of each rank.",
         partial(blocks_curves.ranks, results), "",
     )
 

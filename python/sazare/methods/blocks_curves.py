@@ -62,26 +62,31 @@ def smallest_step(results):
 
 @style.styled
 def ranks(results):
-    """Cumulative processor time [s] of every rank, load imbalance of the intervals [-], and the first element of every rank's range."""
+    """Processor time so far [s] and number of elements of every rank, and what waiting for each other costs: load imbalance of the
+    intervals [-] and lock step [-]."""
     table = results.ranks
     if table.rows < 1:
         return None
     count = int(table["rank"].max()) + 1
     time = table["time"].reshape(-1, count)[:, 0] * 1e6
-    worked, first = (table[name].reshape(-1, count) for name in ("processor_time", "first_element"))
+    worked, elements, lock_step = (table[name].reshape(-1, count) for name in ("processor_time", "elements", "lock_step"))
     spent = np.diff(worked, axis=0, prepend=0)
-    figure = style.figure(7.4, 7.2)
-    total, share, cuts = figure.subplots(3, 1, sharex=True, gridspec_kw={"height_ratios": [3, 2, 3]})
+    figure = style.figure(7.4, 8.2)
+    total, imbalance, step, own = figure.subplots(4, 1, sharex=True, gridspec_kw={"height_ratios": [3, 2, 2, 3]})
     colors = matplotlib.colormaps["viridis"](np.linspace(0, 0.9, count))
     for rank in range(count):
         total.plot(time, worked[:, rank], color=colors[rank], linewidth=1.2)
-        cuts.step(time, first[:, rank], color=colors[rank], linewidth=1.2, where="pre")
+        own.step(time, elements[:, rank], color=colors[rank], linewidth=1.2, where="pre")
     total.set_ylabel("processor time [s]")
     total.set_title(f"{count} ranks; final max / min {worked[-1].max() / worked[-1].min():.3g}")
-    share.plot(time, spent.max(axis=1) / spent.mean(axis=1), color=style.ACCENT, linewidth=1.2)
-    share.set_ylabel("load imbalance,\nmax / mean [-]")
-    share.set_ylim(bottom=1)
-    cuts.set_ylabel("first element")
-    cuts.set_xlabel("time [µs]")
+    imbalance.plot(time, spent.max(axis=1) / spent.mean(axis=1), color=style.ACCENT, linewidth=1.2)
+    imbalance.set_ylabel("load imbalance,\nmax / mean [-]")
+    imbalance.set_ylim(bottom=1)
+    step.plot(time, lock_step[:, 0], color=style.ACCENT, linewidth=1.2)
+    step.set_ylabel("lock step [-]")
+    step.set_ylim(0, 1)
+    own.set_ylabel("elements")
+    own.set_ylim(bottom=0)
+    own.set_xlabel("time [µs]")
     figure.align_ylabels()
     return figure

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
+
+#include "sazare/levels/distribute/partition.hpp"
 
 namespace sazare::distribute {
 
@@ -20,51 +23,56 @@ void smooth(std::vector<Real>& kept, const std::vector<Real>& newest) {
   for (std::size_t i = 0; i < kept.size(); ++i) kept[i] += newest_share * (newest[i] - kept[i]);
 }
 
-Real sum_of(const std::vector<Real>& cost, Index begin, Index end) {
-  return std::accumulate(cost.begin() + begin, cost.begin() + end, Real{0});
+Real sum_of(const std::vector<Real>& cost, const Owners& owners, int rank) {
+  Real sum = 0;
+  for (const BodyRange& range : owners.ranges(rank))
+    sum = std::accumulate(cost.begin() + range.begin, cost.begin() + range.end, sum);
+  return sum;
 }
 
-/// The time of each rank, spread evenly over its range.
-std::vector<Real> measured_cost(const Ranges& now, const std::vector<Work>& work) {
-  std::vector<Real> cost(at(now.end(now.count() - 1)));
-  for (int rank = 0; rank < now.count(); ++rank)
-    std::fill(cost.begin() + now.begin(rank), cost.begin() + now.end(rank),
-              work[at(rank)].total() / std::max<Real>(1, now.size(rank)));
-  return cost;
+Real sum_of(const std::vector<Real>& cost) { return std::accumulate(cost.begin(), cost.end(), Real{0}); }
+
+/// The same number for all bodies of a rank.
+template <class NumberOf>
+std::vector<Real> spread(const Owners& owners, NumberOf&& number_of) {
+  std::vector<Real> by_body(at(owners.bodies()));
+  for (int rank = 0; rank < owners.ranks(); ++rank) {
+    const Real number = number_of(rank);
+    for (const BodyRange& range : owners.ranges(rank))
+      std::fill(by_body.begin() + range.begin, by_body.begin() + range.end, number);
+  }
+  return by_body;
 }
 
-/// The dearest range's cost over the mean, less one.
-Real excess(const Ranges& ranges, const std::vector<Real>& cost) {
+/// The dearest rank's cost over the mean, less one.
+Real excess(const Owners& owners, const std::vector<Real>& cost) {
   Real dearest = 0;
-  for (int rank = 0; rank < ranges.count(); ++rank)
-    dearest = std::max(dearest, sum_of(cost, ranges.begin(rank), ranges.end(rank)));
-  const Real total = sum_of(cost, 0, static_cast<Index>(cost.size()));
-  return total > 0 ? dearest * ranges.count() / total - 1 : 0;
+  for (int rank = 0; rank < owners.ranks(); ++rank) dearest = std::max(dearest, sum_of(cost, owners, rank));
+  const Real total = sum_of(cost);
+  return total > 0 ? dearest * owners.ranks() / total - 1 : 0;
 }
 
 }  // namespace
 
 Real Work::total() const { return std::accumulate(seconds.begin(), seconds.end(), Real{0}); }
 
-/// What the range of a rank took over what was predicted for it; the mean over ranks is taken out.
-void Balance::learn_from_error(const Ranges& now, const std::vector<Work>& work) {
+/// What a rank took over what was predicted for it; the mean over ranks is taken out.
+void Balance::learn_from_error(const Owners& now, const std::vector<Work>& work) {
   Real took = 0;
   for (const Work& of : work) took += of.total();
-  const Real foretold = sum_of(predicted_, 0, now.end(now.count() - 1));
+  const Real foretold = sum_of(predicted_);
   if (took <= 0 || foretold <= 0) return;
-  std::vector<Real> newest(predicted_.size(), 1);
-  for (int rank = 0; rank < now.count(); ++rank) {
-    const Real of_rank = sum_of(predicted_, now.begin(rank), now.end(rank));
-    const Real error = of_rank > 0 ? work[at(rank)].total() / took / (of_rank / foretold) : 1;
-    std::fill(newest.begin() + now.begin(rank), newest.begin() + now.end(rank),
-              std::clamp(error, 1 / largest_correction, largest_correction));
-  }
-  smooth(correction_, newest);
+  smooth(correction_, spread(now, [&](int rank) {
+           const Real of_rank = sum_of(predicted_, now, rank);
+           const Real error = of_rank > 0 ? work[at(rank)].total() / took / (of_rank / foretold) : 1;
+           return std::clamp(error, 1 / largest_correction, largest_correction);
+         }));
 }
 
-void Balance::predict(const Ranges& now, const std::vector<Work>& work, const std::vector<std::vector<Real>>& due) {
-  std::vector<Real> kind_cost(due.size(), 0);
-  for (std::size_t kind = 0; kind < due.size(); ++kind) {
+/// What each kind of work costs, from what all ranks took for it.
+void Balance::measure_kinds(const std::vector<Work>& work) {
+  std::vector<Real> kind_cost(work.front().seconds.size(), 0);
+  for (std::size_t kind = 0; kind < kind_cost.size(); ++kind) {
     Real seconds = 0, count = 0;
     for (const Work& of : work) {
       seconds += of.seconds[kind];
@@ -73,33 +81,91 @@ void Balance::predict(const Ranges& now, const std::vector<Work>& work, const st
     if (count > 0) kind_cost[kind] = seconds / count;
   }
   smooth(kind_cost_, kind_cost);
+}
+
+void Balance::predict(const Owners& now, const std::vector<Work>& work, const std::vector<std::vector<Real>>& due) {
+  measure_kinds(work);
   if (!predicted_.empty()) learn_from_error(now, work);
-  predicted_.assign(at(now.end(now.count() - 1)), 0);
+  predicted_.assign(at(now.bodies()), 0);
   for (std::size_t kind = 0; kind < due.size(); ++kind)
     for (std::size_t body = 0; body < predicted_.size(); ++body) predicted_[body] += kind_cost_[kind] * due[kind][body];
   cost_ = predicted_;
   for (std::size_t body = 0; body < correction_.size(); ++body) cost_[body] *= correction_[body];
 }
 
-Ranges Balance::first(const Ranges& now, const std::vector<std::vector<Real>>& due) const {
-  if (policy_ != Policy::predicted) return now;
-  std::vector<Real> cost(at(now.end(now.count() - 1)), 0);
-  for (const std::vector<Real>& kind : due)
-    for (std::size_t body = 0; body < cost.size(); ++body) cost[body] += kind[body];
-  return cut_evenly(cost, now.count());
+Outlook::Kind Balance::looks_at() const {
+  switch (policy_) {
+    case Policy::predicted:
+      return Outlook::Kind::bodies;
+    case Policy::by_level:
+    case Policy::random:
+      return Outlook::Kind::chunks;
+    case Policy::graph:
+      return Outlook::Kind::bordering_chunks;
+    default:
+      return Outlook::Kind::nothing;
+  }
 }
 
-Ranges Balance::cut(const Ranges& now, const std::vector<Work>& work, const std::vector<std::vector<Real>>& due) {
-  if (policy_ == Policy::fixed) return now;
-  if (policy_ == Policy::measured)
-    smooth(cost_, measured_cost(now, work));
-  else
-    predict(now, work, due);
-  const Real mean = std::accumulate(cost_.begin(), cost_.end(), Real{0}) / std::max<Real>(1, static_cast<Real>(cost_.size()));
+Owners Balance::first(const Owners& now, const Outlook& outlook) {
+  switch (policy_) {
+    case Policy::fixed:
+    case Policy::measured:
+      return now;
+    case Policy::predicted: {
+      std::vector<Real> cost(at(now.bodies()), 0);
+      for (const std::vector<Real>& kind : outlook.due)
+        for (std::size_t body = 0; body < cost.size(); ++body) cost[body] += kind[body];
+      return cut_evenly(cost, now.ranks());
+    }
+    case Policy::random:
+      return draw(outlook.chunks, now.ranks());
+    default:
+      return share_out_chunks(now, outlook.chunks, std::vector<Real>(outlook.chunks.due.size(), 1));
+  }
+}
+
+Owners Balance::next(const Owners& now, const std::vector<Work>& work, const Outlook& outlook) {
+  switch (policy_) {
+    case Policy::fixed:
+      return now;
+    case Policy::measured:
+      smooth(cost_, spread(now, [&](int rank) { return work[at(rank)].total() / std::max<Real>(1, now.size(rank)); }));
+      return cut_curve(now);
+    case Policy::predicted:
+      predict(now, work, outlook.due);
+      return cut_curve(now);
+    case Policy::random:
+      return draw(outlook.chunks, now.ranks());
+    default:
+      measure_kinds(work);
+      return share_out_chunks(now, outlook.chunks, kind_cost_);
+  }
+}
+
+Owners Balance::draw(const ChunkWork& work, int ranks) {
+  return owners_of_bodies(work, partition_at_random(work.chunks(), ranks, drawn_++), ranks);
+}
+
+/// Ranges of the curve with the same cost, where that is worth it.
+Owners Balance::cut_curve(const Owners& now) const {
+  const Real mean = sum_of(cost_) / std::max<Real>(1, static_cast<Real>(cost_.size()));
   std::vector<Real> floored = cost_;
   for (Real& cost : floored) cost = std::max(cost, least_cost * mean);
-  const Ranges next = cut_evenly(floored, now.count());
+  const Owners next = cut_evenly(floored, now.ranks());
   return excess(now, floored) - excess(next, floored) > tolerated_excess ? next : now;
+}
+
+/// Chunks with the same cost at every level, where that is worth it.
+Owners Balance::share_out_chunks(const Owners& now, const ChunkWork& work, const std::vector<Real>& kind_cost) const {
+  const ChunkCosts costs(work, kind_cost);
+  const std::vector<int> before = owners_of_chunks(work, now);
+  const std::vector<int> after = keep_numbers(
+      before,
+      policy_ == Policy::graph ? partition_graph(costs, work.borders, now.ranks()) : partition_by_level(costs, now.ranks()),
+      now.ranks());
+  const bool is_worth_it = lock_step(costs, after, now.ranks()) - lock_step(costs, before, now.ranks()) > tolerated_excess;
+  return is_worth_it ? owners_of_bodies(work, after, now.ranks()) : now;
 }
 
 }  // namespace sazare::distribute

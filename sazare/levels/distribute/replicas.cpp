@@ -9,13 +9,6 @@ namespace sazare::distribute {
 
 namespace {
 
-/// Adds the first bytes of a record.
-template <class T>
-void append(std::vector<std::byte>& bytes, const T& record, std::size_t count) {
-  const auto* begin = reinterpret_cast<const std::byte*>(&record);
-  bytes.insert(bytes.end(), begin, begin + count);
-}
-
 /// The message for a rank, begun where there is none yet.
 std::vector<std::byte>& bytes_for(std::vector<parallel::Message>& messages, int rank) {
   const auto known = std::ranges::find(messages, rank, &parallel::Message::rank);
@@ -28,7 +21,7 @@ std::vector<std::byte>& bytes_for(std::vector<parallel::Message>& messages, int 
 template <int D>
 Replicas<D>::Replicas(const parallel::Ranks& ranks, state::Bodies<D>& bodies, const Terms& terms)
     : ranks_(&ranks), bodies_(&bodies), terms_(&terms) {
-  divide(cut_evenly(std::vector<Real>(at(bodies.size()), 1), ranks.size()));
+  divide(cut_equally(bodies.size(), ranks.size()));
 }
 
 template <int D>
@@ -40,58 +33,86 @@ void Replicas<D>::share_out(std::span<const Index> bodies, std::vector<Index>& o
 }
 
 template <int D>
-void Replicas<D>::add_link(const Link& link) {
-  if (link.first == Link::outside || link.second == Link::outside) return;
-  const int first = ranges_.owner(link.first), second = ranges_.owner(link.second);
-  if (first == second) return;
-  const auto show = [&](Index body, int rank) {
-    auto& viewers = viewers_[at(body)];
-    if (std::ranges::find(viewers, rank) == viewers.end()) viewers.push_back(rank);
-    if (rank == ranks_->rank()) role_[at(body)] = Role::seen;
-  };
-  show(link.first, second);
-  show(link.second, first);
+void Replicas<D>::add_link(const terms::Term<D>& term, Index number) {
+  const Link& link = term.links()[at(number)];
+  if (!viewers_.add(link, term.looks_at_steps(), owners_)) return;
+  for (const Index body : {link.first, link.second})
+    if (!owns(body) && (owns(link.first) || owns(link.second))) role_[at(body)] = Role::seen;
 }
 
+/// Calls act(record, size) for all parts of what a rank sees of a body, see BorderBytes.
 template <int D>
-typename Replicas<D>::Moving Replicas<D>::moving(Index body) const {
-  return {bodies_->motion[at(body)], bodies_->inertia[at(body)],
-          bodies_->strain.empty() ? state::Strain{} : bodies_->strain[at(body)]};
-}
-
-template <int D>
-void Replicas<D>::take(Index body, const Moving& moving) {
-  bodies_->motion[at(body)] = moving.motion;
-  bodies_->inertia[at(body)] = moving.inertia;
-  if (!bodies_->strain.empty()) bodies_->strain[at(body)] = moving.strain;
+template <class Act>
+void Replicas<D>::carry_at_border(Index body, const Viewer& viewer, Act&& act) {
+  state::Motion<D>& motion = bodies_->motion[at(body)];
+  act(&motion, state::bytes_for_forces<D>);
+  act(&motion.due, sizeof(Tick));
+  if (!bodies_->strain.empty()) act(&bodies_->strain[at(body)], sizeof(state::Strain));
+  if (!viewer.sees_steps) return;
+  act(&motion.velocity, sizeof(motion.velocity));
+  act(&motion.spin, sizeof(motion.spin));
 }
 
 template <int D>
 void Replicas<D>::exchange(std::span<const Index> kicked, std::span<const Index> kicked_elsewhere) {
+  const BorderBytes<D> size(*bodies_);
   sent_.clear();
   received_.clear();
   for (const Index body : kicked)
-    for (const int rank : viewers_[at(body)]) append(bytes_for(sent_, rank), moving(body), moving_size());
+    for (const Viewer& viewer : viewers_.of(body)) {
+      auto& bytes = bytes_for(sent_, viewer.rank);
+      carry_at_border(body, viewer, [&](const void* record, std::size_t count) {
+        const auto* begin = static_cast<const std::byte*>(record);
+        bytes.insert(bytes.end(), begin, begin + count);
+      });
+    }
+  const auto how = [&](Index body) -> const Viewer& { return viewers_.find(body, ranks_->rank()); };
   for (const Index body : kicked_elsewhere) {
-    auto& bytes = bytes_for(received_, ranges_.owner(body));
-    bytes.resize(bytes.size() + moving_size());
+    auto& bytes = bytes_for(received_, owners_.owner(body));
+    bytes.resize(bytes.size() + size.for_viewer(how(body)));
   }
   if (sent_.empty() && received_.empty()) return;
-  ranks_->exchange(sent_, received_);
-  std::vector<std::size_t> next(received_.size(), 0);
+  ranks_->exchange(sent_, received_, parallel::Topic::motion);
+  std::vector<const std::byte*> next;
+  for (const parallel::Message& message : received_) next.push_back(message.bytes.data());
   for (const Index body : kicked_elsewhere) {
-    const auto from = std::ranges::find(received_, ranges_.owner(body), &parallel::Message::rank);
-    std::size_t& place = next[static_cast<std::size_t>(from - received_.begin())];
-    Moving arrived;
-    std::memcpy(static_cast<void*>(&arrived), from->bytes.data() + place, moving_size());
-    place += moving_size();
-    take(body, arrived);
+    const auto from = std::ranges::find(received_, owners_.owner(body), &parallel::Message::rank) - received_.begin();
+    const std::byte*& bytes = next[static_cast<std::size_t>(from)];
+    carry_at_border(body, how(body), [&](void* record, std::size_t count) {
+      std::memcpy(record, bytes, count);
+      bytes += count;
+    });
   }
 }
 
 template <int D>
+void Replicas<D>::show_borders() {
+  sent_.clear();
+  received_.clear();
+  for (const BodyRange& range : own_ranges())
+    for (Index body = range.begin; body < range.end; ++body)
+      for (const Viewer& viewer : viewers_.of(body)) {
+        const auto motion = std::as_bytes(std::span(&bodies_->motion[at(body)], 1));
+        auto& bytes = bytes_for(sent_, viewer.rank);
+        bytes.insert(bytes.end(), motion.begin(), motion.end());
+      }
+  const auto for_seen = [&](auto&& act) {
+    for (Index body = 0; body < bodies_->size(); ++body)
+      if (role_[at(body)] == Role::seen) act(body, bytes_for(received_, owners_.owner(body)));
+  };
+  for_seen([](Index, std::vector<std::byte>& bytes) { bytes.resize(bytes.size() + sizeof(state::Motion<D>)); });
+  ranks_->exchange(sent_, received_, parallel::Topic::rows);
+  std::vector<std::size_t> next(at(ranks_->size()), 0);
+  for_seen([&](Index body, std::vector<std::byte>& bytes) {
+    std::size_t& place = next[at(owners_.owner(body))];
+    std::memcpy(static_cast<void*>(&bodies_->motion[at(body)]), bytes.data() + place, sizeof(state::Motion<D>));
+    place += sizeof(state::Motion<D>);
+  });
+}
+
+template <int D>
 void Replicas<D>::unite(std::vector<Index>& list) const {
-  const parallel::Gathered all = ranks_->gather(std::as_bytes(std::span(list)));
+  const parallel::Gathered all = ranks_->gather(std::as_bytes(std::span(list)), parallel::Topic::changes);
   list.resize(all.bytes.size() / sizeof(Index));
   if (!list.empty()) std::memcpy(list.data(), all.bytes.data(), all.bytes.size());
   Peers::unite(list);
@@ -99,26 +120,26 @@ void Replicas<D>::unite(std::vector<Index>& list) const {
 
 template <int D>
 std::vector<std::byte> Replicas<D>::gather(std::span<const std::byte> own) const {
-  return ranks_->gather(own).bytes;
+  return ranks_->gather(own, parallel::Topic::changes).bytes;
+}
+
+template <int D>
+void Replicas<D>::carry_all_of(Index body, Parcel& parcel) {
+  parcel(bodies_->motion[at(body)]);
+  parcel(bodies_->inertia[at(body)]);
+  if (!bodies_->strain.empty()) parcel(bodies_->strain[at(body)]);
 }
 
 template <int D>
 void Replicas<D>::fetch(std::span<const Index> bodies) {
   Parcel own;
   for (const Index body : bodies)
-    if (owns(body)) {
-      Moving known = moving(body);
-      own(known);
-    }
-  const parallel::Gathered all = ranks_->gather(own.packed());
+    if (owns(body)) carry_all_of(body, own);
+  const parallel::Gathered all = ranks_->gather(own.packed(), parallel::Topic::search);
   std::vector<Parcel> from;
   from.reserve(at(ranks_->size()));
   for (int rank = 0; rank < ranks_->size(); ++rank) from.emplace_back(all.of(rank));
-  for (const Index body : bodies) {
-    Moving arrived;
-    from[at(ranges_.owner(body))](arrived);
-    if (!owns(body)) take(body, arrived);
-  }
+  for (const Index body : bodies) carry_all_of(body, from[at(owners_.owner(body))]);
 }
 
 template <int D>
@@ -129,17 +150,16 @@ void Replicas<D>::fetch_all() {
 }
 
 template <int D>
-void Replicas<D>::carry_range(int rank, std::vector<terms::CauseWork>& work, Parcel& parcel) {
-  for (Index body = ranges_.begin(rank); body < ranges_.end(rank); ++body) {
-    parcel(bodies_->motion[at(body)]);
-    parcel(bodies_->inertia[at(body)]);
-    if (!bodies_->strain.empty()) parcel(bodies_->strain[at(body)]);
-    parcel(work[at(body)]);
-  }
+void Replicas<D>::carry_bodies(int rank, std::vector<terms::CauseWork>& work, Parcel& parcel) {
+  for (const BodyRange& range : owners_.ranges(rank))
+    for (Index body = range.begin; body < range.end; ++body) {
+      carry_all_of(body, parcel);
+      parcel(work[at(body)]);
+    }
   for (const auto& term : *terms_) {
     const auto links = term->links();
     for (std::size_t link = 0; link < links.size(); ++link)
-      if (links[link].first != Link::outside && ranges_.owner(links[link].first) == rank)
+      if (links[link].first != Link::outside && owners_.owner(links[link].first) == rank)
         term->carry(static_cast<Index>(link), parcel);
   }
 }
@@ -147,27 +167,25 @@ void Replicas<D>::carry_range(int rank, std::vector<terms::CauseWork>& work, Par
 template <int D>
 void Replicas<D>::collect(std::vector<terms::CauseWork>& work, parallel::To to) {
   Parcel own;
-  if (to == parallel::To::all || !ranks_->is_first()) carry_range(ranks_->rank(), work, own);
-  const parallel::Gathered all = ranks_->gather(own.packed(), to);
+  if (to == parallel::To::all || !ranks_->is_first()) carry_bodies(ranks_->rank(), work, own);
+  const parallel::Gathered all = ranks_->gather(own.packed(), parallel::Topic::state, to);
   if (to == parallel::To::first && !ranks_->is_first()) return;
   for (int rank = 0; rank < ranks_->size(); ++rank) {
     if (rank == ranks_->rank()) continue;
     Parcel arrived(all.of(rank));
-    carry_range(rank, work, arrived);
+    carry_bodies(rank, work, arrived);
   }
   for (const auto& term : *terms_) term->carried();
 }
 
 template <int D>
-void Replicas<D>::divide(Ranges ranges) {
-  ranges_ = std::move(ranges);
-  viewers_.assign(at(bodies_->size()), {});
+void Replicas<D>::divide(Owners owners) {
+  owners_ = std::move(owners);
+  viewers_.begin(bodies_->size());
   role_.assign(at(bodies_->size()), Role::unseen);
-  std::fill_n(role_.begin() + ranges_.begin(ranks_->rank()), ranges_.size(ranks_->rank()), Role::own);
-  for (const auto& term : *terms_) {
-    const auto links = term->links();
-    for (const Index link : term->first_links()) add_link(links[at(link)]);
-  }
+  for (const BodyRange& range : own_ranges()) std::fill(role_.begin() + range.begin, role_.begin() + range.end, Role::own);
+  for (const auto& term : *terms_)
+    for (const Index link : term->first_links()) add_link(*term, link);
 }
 
 template class Replicas<2>;

@@ -77,6 +77,9 @@ public:
   /// Whether links are of two bodies: only such count as pairs.
   virtual bool joins_bodies() const { return true; }
 
+  /// Whether links look at the velocity and the spin with which bodies step, beside what `bytes_for_forces` holds.
+  virtual bool looks_at_steps() const { return false; }
+
   /// Links that act from the beginning.
   virtual std::vector<Index> first_links() const = 0;
 

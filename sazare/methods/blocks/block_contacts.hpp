@@ -27,6 +27,7 @@ public:
               terms::CauseImpulses<3>& parts) const override;
   bool acts_on_strains() const override { return strain_table_.exists; }
   void gather_strain(const Instant& now, Index body, terms::StrainGathered& sum) const override;
+  bool looks_at_steps() const override { return true; }
   void post_step(const Instant& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
   void post_base_step(const Instant& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
   void carry(Index pair, Parcel& parcel) override;

@@ -55,12 +55,31 @@ inline constexpr std::array half_casts = {
     Column{"half_cast", "m", "length over which half of the wall around the axis, less one face, is on rock that stays"},
     Column{"whole", "m", "length over which all of it is: the hole has not broken out"},
     Column{"standing", "-", "share of the wall around the axis that is on rock that stays, the mean along the hole"}};
-inline constexpr std::array ranks = {Column{"time", "s", "end of an interval between two distributions of the work"},
-                                     Column{"rank", "-", ""},
-                                     Column{"processor_time", "s", "of the rank so far"},
-                                     Column{"exchange_time", "s", "spent in messages, in the interval"},
-                                     Column{"bytes_sent", "B", "in the interval"},
-                                     Column{"first_element", "-", "of the range of the rank"}};
+inline constexpr std::array ranks = {
+    Column{"time", "s", "end of an interval between two distributions of the work"},
+    Column{"rank", "-", ""},
+    Column{"processor_time", "s", "of the rank in evaluations and updates so far"},
+    Column{"exchange_time", "s", "spent in messages so far, waiting included"},
+    Column{"lock_step", "-",
+           "mean over the ranks of their evaluations and updates at a tick over the largest of it, all ticks of the "
+           "interval together; 1: no rank waited for another one's work"},
+    Column{"elements", "-", "of the rank in the interval"},
+    Column{"border_elements", "-", "those of them that other ranks need at every tick"},
+    Column{"ranges", "-", "pieces of the curve along which elements are stored that the rank has"},
+    Column{"bytes_sent", "B", "to other ranks so far"},
+    Column{"messages_sent", "-", "to other ranks so far; what all give to all counts as one to each"},
+    Column{"expected_motion_bytes", "B",
+           "of `motion_bytes`, as foretold at the beginning of every interval from levels and owners"},
+    Column{"expected_motion_messages", "-", "of `motion_messages`, likewise"}};
+/// What the messages of a rank are about, in the order of parallel::Topic.
+inline constexpr std::array<std::string_view, 6> rank_topics = {"motion", "changes", "search", "rows", "state", "other"};
+inline constexpr std::array rank_topic = {Column{"NAME_bytes", "B",
+                                                 "so far, by topic: `motion` of elements at borders, `changes` of what is "
+                                                 "linked, `search` for contacts, `rows` of histories, `state` for "
+                                                 "snapshots, checkpoints and new owners, `other`"},
+                                          Column{"NAME_messages", "-", "so far, by topic"}};
+inline constexpr std::array rank_level = {
+    Column{"elements_NAME", "-", "of the rank that are updated at a time level, `level_0`, `level_1` ..."}};
 inline constexpr std::array elements = {
     Column{"element", "-", "number in the mesh"},
     Column{"region", "-", "physical group in the mesh, counted from 0 in the order of their numbers"},

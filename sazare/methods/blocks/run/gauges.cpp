@@ -117,7 +117,7 @@ void Gauges::watch(Real time, const levels::Simulation<3>& simulation) {
 }
 
 void Gauges::unite(const parallel::Ranks& ranks) {
-  const parallel::Gathered all = ranks.gather(std::as_bytes(std::span(peaks_)));
+  const parallel::Gathered all = ranks.gather(std::as_bytes(std::span(peaks_)), parallel::Topic::rows);
   std::vector<GaugePeak> others(peaks_.size());
   for (int rank = 0; rank < ranks.size(); ++rank) {
     if (peaks_.empty()) return;

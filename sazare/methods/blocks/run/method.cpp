@@ -49,7 +49,8 @@ FolderTables tables_of_blocks() {
           .files = {{"`gauge_peaks.csv`", {columns::blocks::gauge_peaks}},
                     {"`holes.csv`", {columns::blocks::holes}},
                     {"`half_casts.csv`", {columns::blocks::half_casts}},
-                    {"`ranks.csv`, a row per rank and interval", {columns::blocks::ranks}}},
+                    {"`ranks.csv`, a row per rank and interval",
+                     {columns::blocks::ranks, columns::blocks::rank_topic, columns::blocks::rank_level}}},
           .snapshots = {{"`elements` of `blocks`", {columns::blocks::elements}},
                         {"`joints` of `blocks`", {columns::blocks::joints}}}};
 }
@@ -62,7 +63,7 @@ Method blocks_method() {
           .check = check_blocks,
           .summary = blocks_summary,
           .tables = tables_of_blocks,
-          .runs_on_ranks = true};
+          .explain_ranks = explain_ranks_of_blocks};
 }
 
 }  // namespace sazare::runs

@@ -133,7 +133,7 @@ void RunRecord::sum_absorbed(Real time, const parallel::Ranks* ranks) {
       [&](Index body) { return simulation.owns(body); },
       [&](Index body) { return simulation.work_on(body)[static_cast<std::size_t>(terms::Cause::boundary)]; }, absorbed_);
   if (ranks == nullptr) return;
-  const parallel::Gathered all = ranks->gather(std::as_bytes(std::span(absorbed_)), parallel::To::first);
+  const parallel::Gathered all = ranks->gather(std::as_bytes(std::span(absorbed_)), parallel::Topic::rows, parallel::To::first);
   if (!ranks->is_first()) return;
   std::vector<ExactSum> part(absorbed_.size());
   absorbed_.assign(part.size(), {});

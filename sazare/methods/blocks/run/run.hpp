@@ -15,4 +15,7 @@ std::unique_ptr<LiveRun> open_blocks(const cases::CaseFile& file, const RunOptio
 /// What a case will do, in words. Throws UserError with everything that is wrong.
 std::string check_blocks(const cases::CaseFile& file);
 
+/// How so many processes would share the case: what each policy makes of the levels at the beginning.
+std::string explain_ranks_of_blocks(const cases::CaseFile& file, int ranks);
+
 }  // namespace sazare::runs

@@ -1,0 +1,51 @@
+/// How processes of a launch would share a case.
+
+#include <fmt/format.h>
+
+#include "sazare/cases/format/number_text.hpp"
+#include "sazare/levels/distribute/partition.hpp"
+#include "sazare/methods/blocks/run/mesh_source.hpp"
+#include "sazare/methods/blocks/run/model.hpp"
+#include "sazare/methods/blocks/run/run.hpp"
+#include "sazare/runs/temporary_folder.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+using distribute::Policy;
+
+std::string elements_text(const levels::SharingForecast& of) {
+  return of.fewest == of.most ? fmt::format("{}", of.most) : fmt::format("{} to {}", of.fewest, of.most);
+}
+
+std::string policy_text(const levels::Simulation<3>& simulation, Policy policy, int ranks) {
+  const levels::SharingForecast of = simulation.forecast(policy, ranks);
+  return fmt::format("  {:<10}  {:>9.2f}  {:>18}  {:>15.1f} %  {:>12} B  {:>8}\n", distribute::name_of(policy), of.lock_step,
+                     elements_text(of), 100 * of.twice, cases::short_number(static_cast<Real>(of.motion.bytes), 3),
+                     of.motion.messages);
+}
+
+std::string explain(const cases::CaseFile& file, int ranks, const std::filesystem::path& made) {
+  BlocksModel model = build_blocks(file.as<cases::BlocksCase>(), load_mesh(file, made, false));
+  model.simulation->start();
+  std::string text = fmt::format(
+      "\non {} ranks, with the levels of the beginning\n"
+      "  --balance   lock step     elements a rank  evaluated twice    most sent by a rank in a base step\n",
+      ranks);
+  for (const Policy policy : {Policy::fixed, Policy::predicted, Policy::by_level})
+    text += policy_text(*model.simulation, policy, ranks);
+  if (distribute::has_graph_partition()) text += policy_text(*model.simulation, Policy::graph, ranks);
+  return text +
+         "  lock step: mean over the ranks of the work at a tick over the largest of it; ranks meet at every tick, so it bounds "
+         "the "
+         "efficiency\n";
+}
+
+}  // namespace
+
+std::string explain_ranks_of_blocks(const cases::CaseFile& file, int ranks) {
+  return check_with_meshes([&](const std::filesystem::path& folder) { return explain(file, ranks, folder / "mesh.msh"); });
+}
+
+}  // namespace sazare::runs
