@@ -203,17 +203,32 @@ void Simulation<D>::divide_anew() {
   take_owners(balance_.next(replicas_->owners(), work, outlook(balance_.looks_at(), replicas_->owners())));
 }
 
+/// Owners to begin with, of a run or of one that is resumed: of them, every process knows all of the state.
+template <int D>
+void Simulation<D>::begin_sharing() {
+  tick_work_.clear();
+  replicas_->divide(balance_.first(replicas_->owners(), outlook(balance_.looks_at(), replicas_->owners())));
+  foretell_motion();
+}
+
 template <int D>
 void Simulation<D>::take_owners(distribute::Owners next) {
   if (next != replicas_->owners()) {
     replicas_->collect(work_, parallel::To::all);
     replicas_->divide(std::move(next));
   }
+  foretell_motion();
+}
+
+/// Adds what bodies at borders will send until owners are chosen anew.
+template <int D>
+void Simulation<D>::foretell_motion() {
   const parallel::Sent of_step =
       replicas_->viewers().motion_of(replicas_->ranks().rank(), replicas_->owners(), distribute::BorderBytes<D>(bodies_),
                                      [&](Index body) { return levels_.active_level(body); });
-  expected_motion_.bytes += interval_ * of_step.bytes;
-  expected_motion_.messages += interval_ * of_step.messages;
+  const std::int64_t steps = interval_ - now_.tick / schedule::base_stride % interval_;
+  expected_motion_.bytes += steps * of_step.bytes;
+  expected_motion_.messages += steps * of_step.messages;
 }
 
 template class Simulation<2>;

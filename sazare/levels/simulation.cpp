@@ -80,8 +80,8 @@ void Simulation<D>::start() {
   tick();
   stepped_ += clock_now() - begin;
   if (!replicas_) return;
-  tick_work_.clear();
-  take_owners(balance_.first(replicas_->owners(), outlook(balance_.looks_at(), replicas_->owners())));
+  replicas_->collect(work_, parallel::To::all);
+  begin_sharing();
 }
 
 template <int D>
@@ -336,7 +336,7 @@ void Simulation<D>::columns(Archive& archive) {
   archive("uniform_evaluations", counters_.uniform_evaluations);
   for (const auto& term : terms_) archive.folder(std::string(term->name()), [&] { term->columns(archive); });
   archive.folder("levels", [&] { levels_.columns(archive); });
-  if (replicas_ && archive.reading()) replicas_->divide(replicas_->owners());
+  if (replicas_ && archive.reading()) begin_sharing();
 }
 
 template class Simulation<2>;

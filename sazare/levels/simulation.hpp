@@ -161,7 +161,9 @@ private:
   void call_back();
   void take_refined();
   void divide_anew();
+  void begin_sharing();
   void take_owners(distribute::Owners next);
+  void foretell_motion();
   distribute::Outlook outlook(distribute::Outlook::Kind kind, const distribute::Owners& owners) const;
   distribute::ChunkWork chunk_work(int ranks, bool with_borders) const;
   std::vector<std::vector<Real>> work_at_levels(const distribute::Owners& owners) const;
