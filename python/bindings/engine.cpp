@@ -45,10 +45,14 @@ std::vector<std::pair<std::string, double>> functions(const LiveSimulation& self
   return found;
 }
 
-void apply(LiveSimulation& self, const Rows& forces) {
-  std::vector<Vector3> rows(forces.shape(0));
-  for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = Vector3(forces.data() + 3 * i);
-  self.apply(rows);
+std::vector<Vector3> vectors_of(const Rows& rows) {
+  std::vector<Vector3> vectors(rows.shape(0));
+  for (std::size_t i = 0; i < vectors.size(); ++i) vectors[i] = Vector3(rows.data() + 3 * i);
+  return vectors;
+}
+
+void apply(LiveSimulation& self, const Rows& forces, const std::optional<Rows>& moments) {
+  self.apply(vectors_of(forces), moments ? vectors_of(*moments) : std::vector<Vector3>());
 }
 
 std::string resolved(const CaseSource& source) {
@@ -80,13 +84,13 @@ void add_errors(nb::module_& module) {
 
 void add_simulation(nb::module_& module) {
   nb::class_<LiveSimulation>(module, "LiveSimulation", "A running case; users see it as sazare.Simulation.")
-      .def(nb::init<const CaseSource&, const std::filesystem::path&, const std::string&, int, bool>(), "source"_a, "folder"_a,
-           "begin"_a, "threads"_a, "warns"_a = true, ReleaseLock())
+      .def(nb::init<const CaseSource&, const std::filesystem::path&, const std::string&, int, bool, bool>(), "source"_a,
+           "folder"_a, "begin"_a, "threads"_a, "warns"_a = true, "takes_forces"_a = false, ReleaseLock())
       .def("begin", &LiveSimulation::begin, ReleaseLock())
       .def("walk", &LiveSimulation::walk, "until"_a, "seconds"_a, ReleaseLock())
       .def("finish", &LiveSimulation::finish, ReleaseLock())
       .def("add_samples", &LiveSimulation::add_samples, "name"_a, "step"_a, "values"_a)
-      .def("apply", &apply, "forces"_a)
+      .def("apply", &apply, "forces"_a, "moments"_a = nb::none())
       .def("require_forces", &LiveSimulation::require_forces)
       .def("progress_text", &LiveSimulation::progress_text)
       .def_prop_ro("title", [](const LiveSimulation& self) { return self.status().title; })

@@ -50,9 +50,10 @@ private:
 };
 
 LiveSimulation::LiveSimulation(const CaseSource& source, const std::filesystem::path& folder, const std::string& begin,
-                               int threads, bool warns)
+                               int threads, bool warns, bool takes_forces)
     : file_(read(source, threads)),
-      run_(registry::open_case(file_, {.folder = folder, .begin = begin_named(begin), .quiet = true, .warns = warns})),
+      run_(registry::open_case(
+          file_, {.folder = folder, .begin = begin_named(begin), .quiet = true, .warns = warns, .takes_forces = takes_forces})),
       began_(nanoseconds()) {
   status_.title = run_->title();
   status_.words = run_->words();
@@ -96,9 +97,9 @@ void LiveSimulation::add_samples(const std::string& name, double step, const std
     if (history.name == name) history.add(step, values);
 }
 
-void LiveSimulation::apply(std::span<const Vector3> forces) {
+void LiveSimulation::apply(std::span<const Vector3> forces, std::span<const Vector3> moments) {
   const Turn turn(at_work_);
-  if (run_ != nullptr) run_->apply(forces);
+  if (run_ != nullptr) run_->apply(forces, moments);
 }
 
 void LiveSimulation::finish() {

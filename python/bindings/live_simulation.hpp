@@ -34,9 +34,10 @@ struct Status {
 
 class LiveSimulation {
 public:
-  /// Reads, checks and builds; makes the folder; `warns` of what is unusual, as a run does. Throws like `runs::open_case`.
+  /// Reads, checks and builds; makes the folder; `warns` of what is unusual, as a run does; `takes_forces` where `apply` will be
+  /// called. Throws like `runs::open_case`.
   LiveSimulation(const CaseSource& source, const std::filesystem::path& folder, const std::string& begin, int threads,
-                 bool warns = true);
+                 bool warns = true, bool takes_forces = false);
 
   void begin();
   /// Steps until so many are done, or for some seconds of wall-clock time; the rows that Python looks at are brought up to date.
@@ -47,8 +48,8 @@ public:
   /// Hands over samples of a history that the case leaves to its caller, at equal steps [s] from its beginning; after those that
   /// were handed over before.
   void add_samples(const std::string& name, double step, const std::vector<double>& values);
-  /// Forces on the bodies from now on [N].
-  void apply(std::span<const Vector3> forces);
+  /// Forces on the bodies from now on [N], and moments about their centres [N m] or none.
+  void apply(std::span<const Vector3> forces, std::span<const Vector3> moments);
   /// Throws UserError where the method takes none.
   void require_forces() const {
     if (run_ != nullptr) run_->require_forces();

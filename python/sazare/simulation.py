@@ -92,8 +92,9 @@ def run(
     overwrite, resume: what to do with an existing run in the folder; without either it is an error.
     functions: a function of time [s] for each motion of type "function" and each blast with `function`, by name. A motion's gives its quantity, a
         blast's the pressure [Pa] at a time since its delay. Evaluated once per step; linear in between.
-    forces: a function of the simulation that gives forces [N] on the bodies, (n, 3) in the order of `positions`; of mps and fem in the plane [N/m].
-        Evaluated before every step; they act from its beginning (in method fem, whose steps are implicit, at its end). Methods mps, rectangles, fem, spheres.
+    forces: a function of the simulation that gives forces [N] on the bodies, (n, 3) in the order of `positions`; of mps and fem in the plane [N/m]; of
+        blocks also (n, 6), with moments about the centres [N m]. Evaluated before every step (blocks: base step; hybrid: window); they act from its
+        beginning (in method fem, whose steps are implicit, at its end) and through it.
     stop: a function of the simulation, evaluated after every step; True ends the run there, with a checkpoint.
 
     A resumed run needs the same functions and forces again. Exceptions that they raise propagate unchanged, and a checkpoint is kept.
@@ -145,14 +146,16 @@ class Simulation:
         self._progress = progress
         self._calls = []  # (next step, steps between or 0, function)
         with at_work():
-            self._live = engine().LiveSimulation(source.for_engine(), path, begin, threads, warns=warns)
+            self._live = engine().LiveSimulation(source.for_engine(), path, begin, threads, warns=warns, takes_forces=forces is not None)
         self._histories = histories_of(self._live, functions or {})
         self._forces = forces
+        self._pushed_at = None  # the step at which forces were given last
         if forces is not None:
             self._live.require_forces()
         try:
             self._prepare(0)
             self._compute(self._live.begin)
+            self._pushed_at = None  # a resumed run begins at another step
         except KeyboardInterrupt:
             self.stop()
             raise
@@ -307,16 +310,25 @@ class Simulation:
         """Evaluates the caller's functions as far as the engine needs them to reach a step."""
         for history in self._histories:
             history.sample(self._live, step)
-        if self._forces is not None:
-            given = self._forces(self)
-            if given is None or np.iscomplexobj(given):
-                raise ValueError(f"forces must return real numbers, a row for each body; found {'nothing' if given is None else 'complex numbers'}")
-            forces = np.ascontiguousarray(given, dtype=float)
-            if forces.shape != self.positions.shape:
-                raise ValueError(f"forces must be of shape {self.positions.shape}, a row for each body; found {forces.shape}")
-            if not np.isfinite(forces).all():
-                raise ValueError(f"forces at t = {self.time} s are not all finite numbers")
+        if self._forces is not None and self._pushed_at != self.step:  # the engine may come back within a step
+            self._push()
+            self._pushed_at = self.step
+
+    def _push(self):
+        """Hands the caller's forces at this step to the engine; with six columns, moments too."""
+        given = self._forces(self)
+        if given is None or np.iscomplexobj(given):
+            raise ValueError(f"forces must return real numbers, a row for each body; found {'nothing' if given is None else 'complex numbers'}")
+        forces = np.ascontiguousarray(given, dtype=float)
+        bodies = len(self.positions)
+        if forces.shape not in ((bodies, 3), (bodies, 6)):
+            raise ValueError(f"forces must be of shape {(bodies, 3)}, a row for each body, or {(bodies, 6)} with moments; found {forces.shape}")
+        if not np.isfinite(forces).all():
+            raise ValueError(f"forces at t = {self.time} s are not all finite numbers")
+        if forces.shape[1] == 3:
             self._live.apply(forces)
+        else:
+            self._live.apply(np.ascontiguousarray(forces[:, :3]), np.ascontiguousarray(forces[:, 3:]))
 
     def _call_what_is_due(self):
         """Whether a call asks the advance to end."""

@@ -211,12 +211,12 @@ def test_a_constant_force_on_finite_elements_is_a_load():
 
 
 def test_forces_of_a_wrong_shape_are_refused():
-    with pytest.raises(ValueError, match=r"forces must be of shape \(1, 3\)"):
+    with pytest.raises(ValueError, match=r"forces must be of shape \(1, 3\), .* or \(1, 6\) with moments"):
         sazare.build(single_block(1.0, 100), forces=lambda now: np.zeros(3))
     with pytest.raises(ValueError, match="not all finite"):
         sazare.build(single_block(1.0, 100), forces=lambda now: [[math.inf, 0.0, 0.0]])
-    with pytest.raises(sazare.UserError, match="method blocks accepts no external forces"):
-        sazare.build(BLOCK, forces=lambda now: np.zeros(now.positions.shape))
+    with pytest.raises(sazare.UserError, match="method rectangles accepts external forces without moments"):
+        sazare.build(single_block(1.0, 100), forces=lambda now: np.zeros((1, 6)))
 
 
 SPHERE = """

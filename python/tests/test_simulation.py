@@ -264,12 +264,6 @@ def test_progress_is_one_line_in_a_notebook(monkeypatch):
     assert page.text == "\r10 %\r20 %\r    \r", "written over, and gone at the end"
 
 
-@pytest.mark.parametrize("case", ["block-on-soft-ground", "free-face-blast"])
-def test_forces_on_a_method_that_takes_none_are_refused_before_they_are_asked_for(case, tmp_path):
-    with pytest.raises(sazare.UserError, match="accepts no external forces"):
-        sazare.run(ROOT / "cases" / case / "case.toml", tmp_path / "run", progress=False, forces=lambda now: np.zeros(now.positions.shape))
-
-
 def test_a_relative_folder_is_that_of_the_beginning(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     case, overrides = SHORT["blocks"]

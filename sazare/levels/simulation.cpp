@@ -262,23 +262,63 @@ motion::Stride Simulation<D>::stride(Index body, int active) const {
   return {now_.tick, now_.tick + schedule::stride(active), levels_.step(active), levels_.fastest_squared(body)};
 }
 
-/// Steps a body that this kick makes too fast for its level.
+/// The active level of a body after a kick of this impulse, which may make it too fast for its level; it is refined then.
 template <int D>
-state::MeanMotion<D> Simulation<D>::step_faster(Index body, state::Impulse<D> given) {
-  state::Impulse<D> taken = given;  // the step itself needs all of it: a force that a lock takes up has a moment about the centre
-  motion::clear_locked(taken, bodies_.locks[at(body)]);
-  const Vector<D> velocity = bodies_.motion[at(body)].velocity + (1 / bodies_.inertia[at(body)].mass) * taken.linear;
+int Simulation<D>::active_after(Index body, state::Impulse<D> given) {
+  motion::clear_locked(given, bodies_.locks[at(body)]);
+  const Vector<D> velocity = bodies_.motion[at(body)].velocity + (1 / bodies_.inertia[at(body)].mass) * given.linear;
   const int level = levels_.level_for_speed(levels_.level(body), velocity.squaredNorm());
   if (level > levels_.level(body)) refined_.add(body * schedule::level_count + level);
-  const int active = std::max(level, levels_.active_level(body));
-  if (active > levels_.active_level(body))
-    given = gather_one(body, levels_.step(active));  // its momentum was predicted for a longer step
+  return std::max(level, levels_.active_level(body));
+}
+
+/// Steps a body by the step of an active level, whatever its speed.
+template <int D>
+state::MeanMotion<D> Simulation<D>::step_at(int active, Index body, const state::Impulse<D>& given) {
   motion::Stride stride = this->stride(body, active);
   stride.fastest_squared = std::numeric_limits<Real>::infinity();
   state::MeanMotion<D> mean;
   std::vector<std::size_t> none;
   motion::step(bodies_, std::span(&body, 1), std::span(&given, 1), std::span(&stride, 1), std::span(&mean, 1), none);
   return mean;
+}
+
+/// Steps a body that this kick makes too fast for its level.
+template <int D>
+state::MeanMotion<D> Simulation<D>::step_faster(Index body, state::Impulse<D> given) {
+  const int active = active_after(body, given);
+  if (active > levels_.active_level(body))
+    given = gather_one(body, levels_.step(active));  // its momentum was predicted for a longer step
+  return step_at(active, body, given);
+}
+
+template <int D>
+void Simulation<D>::add_to_kicks(std::span<const Index> which, std::span<const state::Impulse<D>> more) {
+  if (replicas_) throw std::logic_error("kicks are added to in a run of one process");
+  parallel::parallel_for_uneven(which.size(), serial_below, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) kick_again(which[i], more[i]);
+  });
+  if (travels()) take_refined();
+}
+
+/// Takes a body back to its last kick, which was now, and steps it once more.
+template <int D>
+void Simulation<D>::kick_again(Index body, const state::Impulse<D>& more) {
+  if constexpr (D == 3)
+    if (!strain_terms_.empty()) motion::drift_strain_back(bodies_, body, now_);
+  motion::drift_back(bodies_.motion[at(body)], bodies_.inertia[at(body)], now_);
+  const int active = active_after(body, more);
+  state::Impulse<D> given = gather_one(body, levels_.step(active));
+  given.linear = more.linear;
+  given.angular = more.angular;
+  const state::MeanMotion<D> mean = step_at(active, body, given);
+  work_[at(body)][static_cast<std::size_t>(terms::Cause::load)] += more.linear.dot(mean.velocity) + more.angular.dot(mean.spin);
+  if constexpr (D == 3) {
+    if (strain_terms_.empty()) return;
+    terms::StrainGathered strained = gather_strain(body, levels_.step(active));
+    strained.impulse.given.setZero();
+    motion::step(bodies_, body, strained.impulse, now_.tick_seconds);
+  }
 }
 
 /// What a body receives, and what its momentum gains by a time; the parts of its work are known already.

@@ -136,6 +136,9 @@ public:
     take_snapshot({&all, 1}, now);
     return now;
   }
+  /// At a base step, alone: kicks bodies once more, as if their last kick had had these impulses in it as well. Their work is
+  /// that of loads. The term whose they are has entered its forces before; each body stands in the list once.
+  void add_to_kicks(std::span<const Index> which, std::span<const state::Impulse<D>> more);
   /// One body of it; with several processes, one that this process works for.
   BodyNow<D> body_now(Index body) const;
   /// Work on a body so far by cause [J]; with several processes, one that this process works for.
@@ -178,7 +181,10 @@ private:
   void kick_chunk(std::span<const Index> which);
   void kick_strain(Index body);
   motion::Stride stride(Index body, int active) const;
+  int active_after(Index body, state::Impulse<D> given);
+  state::MeanMotion<D> step_at(int active, Index body, const state::Impulse<D>& given);
   state::MeanMotion<D> step_faster(Index body, state::Impulse<D> given);
+  void kick_again(Index body, const state::Impulse<D>& more);
   state::Impulse<D> gather_one(Index body, Real until_next) const;
   terms::StrainGathered gather_strain(Index body, Real until_next) const;
   state::StrainNow strain_now(Index body) const;

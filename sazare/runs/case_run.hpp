@@ -70,11 +70,18 @@ public:
   }
   void read_motion(MotionTable& table) override { work_.read_motion(table); }
   void require_forces() const override {
+    if (options_.sharing.ranks != nullptr && options_.sharing.ranks->size() > 1)
+      throw UserError("external forces act in a run of one process");
     if (!work_.takes_forces()) throw UserError(fmt::format("method {} accepts no external forces", work_.method()));
   }
-  void apply(std::span<const Vector3> forces) override {
+  void apply(std::span<const Vector3> forces, std::span<const Vector3> moments) override {
     require_forces();
-    work_.apply(forces);
+    if (!moments.empty() && !work_.takes_moments())
+      throw UserError(fmt::format("method {} accepts external forces without moments: give three columns", work_.method()));
+    if (moments.empty())
+      work_.apply(forces);
+    else
+      work_.apply_with_moments(forces, moments);
     is_pushed_ = true;
   }
 
@@ -256,11 +263,8 @@ private:
     work_.times.add(RunTimes::Part::checkpoints, work_.times.now() - before);
   }
 
-  void columns(Archive& archive) {
-    archive.folder("times", [&] { work_.times.columns(archive, work_.part_times()); });
-    archive.folder("record", [&] { work_.record.columns(archive); });
-    work_.columns(archive);
-    archive("observed_step", observed_step_);
+  /// A resumed run needs forces where it had some.
+  void check_forces(Archive& archive) const {
     std::int64_t was_pushed = is_pushed_ ? 1 : 0;
     archive("was_pushed", was_pushed);
     if (was_pushed != 0 && !is_pushed_)
@@ -268,6 +272,19 @@ private:
           fmt::format("{}: external forces acted on this run, and none are given now\n  resume it from Python with the same "
                       "forces=..., or start it again",
                       work_.folder.path().string()));
+    if (was_pushed == 0 && is_pushed_ && work_.takes_forces_from_the_start())
+      throw UserError(
+          fmt::format("{}: the run began without external forces, and cannot take them later\n  resume it without "
+                      "forces=..., or start it again with them",
+                      work_.folder.path().string()));
+  }
+
+  void columns(Archive& archive) {
+    check_forces(archive);
+    archive.folder("times", [&] { work_.times.columns(archive, work_.part_times()); });
+    archive.folder("record", [&] { work_.record.columns(archive); });
+    work_.columns(archive);
+    archive("observed_step", observed_step_);
     std::vector<char> started(manifest_.started.begin(), manifest_.started.end());
     archive("started", started);
     manifest_.started.assign(started.begin(), started.end());

@@ -31,9 +31,13 @@ struct WorkDefaults {
   virtual void collect() {}
   /// What several processes do together before the first one writes a row.
   virtual void survey() {}
-  /// Forces from outside [N], a row per body; only where takes_forces().
+  /// Forces from outside [N], a row per body; only where takes_forces(). A method takes moments too, or forces alone.
   virtual bool takes_forces() const { return false; }
+  virtual bool takes_moments() const { return false; }
+  /// Whether a run that began without forces cannot be resumed with them.
+  virtual bool takes_forces_from_the_start() const { return false; }
   virtual void apply(std::span<const Vector3>) {}
+  virtual void apply_with_moments(std::span<const Vector3>, std::span<const Vector3>) {}
   /// Parts of a step and what they took, for timing.csv.
   virtual std::vector<levels::PartTime> part_times() const { return {}; }
   /// Files that only the method knows, when the run is done.

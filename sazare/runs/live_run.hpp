@@ -42,9 +42,10 @@ public:
   virtual void read_motion(MotionTable& table) = 0;
 
   /// Forces on the bodies from outside, in the order of `read_motion` [N; N/m in the plane]; they act from now on, until others
-  /// are given. Before `begin` they act from the beginning.
-  virtual void apply(std::span<const Vector3> forces) = 0;
-  /// Throws UserError where the method takes none.
+  /// are given. Before `begin` they act from the beginning. Moments about the centres [N m] only where the method takes such:
+  /// else none. The run has been opened with RunOptions::takes_forces.
+  virtual void apply(std::span<const Vector3> forces, std::span<const Vector3> moments) = 0;
+  /// Throws UserError where the run takes none.
   virtual void require_forces() const = 0;
 
   Real time() const { return clocks().time(step()); }

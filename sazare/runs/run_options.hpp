@@ -28,6 +28,7 @@ struct RunOptions {
   levels::Sharing sharing = {};                   ///< with several processes: all carry out the same, the first one writes
   std::optional<OneSide> one_side = {};           ///< of a hybrid case; else both in this program
   bool warns = true;                              ///< of what is unusual in the case
+  bool takes_forces = false;                      ///< whether forces will be given from outside, see LiveRun::apply
 };
 
 struct RunOutcome {

@@ -17,6 +17,7 @@
 /// automatic scheme goes through again.
 
 #include <string>
+#include <utility>
 
 #include "sazare/coupling/channel.hpp"
 #include "sazare/geometry/linear_surface.hpp"
@@ -60,6 +61,10 @@ public:
   /// Takes the forces at the beginning, after the stepper has started.
   void start(const coupling::SurfaceForce& force);
 
+  /// Forces on all nodes that come from neither side [N]; they act beside those of the bodies, in every pass of a window, until
+  /// others are given.
+  void push(NodalColumn forces) { outside_ = std::move(forces); }
+
   /// Goes through a window. Throws PhysicsError where force and motion do not come to agree.
   void advance(coupling::ContinuumChannel& channel);
 
@@ -90,6 +95,7 @@ private:
   geometry::LinearSurface surface_;
   CouplingRules rules_;
   coupling::SurfaceForce force_;  ///< of the last window
+  NodalColumn outside_;           ///< see push; none where nothing was given
   std::vector<Real> carry_;       ///< what the last window left between the force tried and found [N]
   Real disagreement_ = 0;
   CouplingTotals totals_;

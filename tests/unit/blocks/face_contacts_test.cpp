@@ -246,9 +246,9 @@ TEST(face_contacts, bodies_that_fly_together_keep_what_is_near) {
 
 TEST(face_contacts, the_surface_of_a_coupled_run_needs_spheres) {
   auto blocks = towards(Vector3::Zero(), 1e9);
-  EXPECT_THROW(runs::build_blocks(blocks, blocks_apart(Vector3::Zero()), {}, 1e-3), UserError);
+  EXPECT_THROW(runs::build_blocks(blocks, blocks_apart(Vector3::Zero()), {.window = 1e-3}), UserError);
   blocks.contact.normal_stiffness = 1e6;
-  EXPECT_NE(runs::build_blocks(blocks, blocks_apart(Vector3::Zero()), {}, 1e-3).surface, nullptr);
+  EXPECT_NE(runs::build_blocks(blocks, blocks_apart(Vector3::Zero()), {.window = 1e-3}).surface, nullptr);
 }
 
 /// Seams within one body that holds together give no contact, however it is strained.

@@ -1,5 +1,6 @@
 #include "sazare/methods/blocks/run/model.hpp"
 
+#include <stdexcept>
 #include <utility>
 
 #include "sazare/core/error.hpp"
@@ -70,7 +71,8 @@ public:
   TermMaker(const cases::BlocksCase& blocks, BlocksModel& model, const state::Bodies<3>& bodies)
       : blocks_(blocks), model_(model), bodies_(bodies) {}
 
-  Terms make(std::optional<Real> window) {
+  Terms make(const BlocksSetting& setting) {
+    const std::optional<Real>& window = setting.window;
     const auto map = geometry::build_face_map(model_.mesh);
     const MeshFaces faces{model_.mesh, map, geometry::find_surface_faces(model_.mesh, map)};
     const std::vector<Index> joint_of_face = joint_by_face(blocks_, faces, model_.material);
@@ -100,6 +102,7 @@ public:
            std::make_unique<methods::blocks::CrackGas>(*model_.charges, *model_.joints, make_gas_faces(blocks_, faces), bodies_));
     if (!blocks_.gravity.acceleration.isZero())
       keep(terms_, std::make_unique<terms::Gravity<3>>(blocks_.gravity.acceleration, bodies_));
+    if (setting.takes_forces) model_.outside_forces = keep(terms_, std::make_unique<terms::OutsideForces>(bodies_));
     return std::move(terms_);
   }
 
@@ -149,19 +152,33 @@ private:
 
 }  // namespace
 
-BlocksModel build_blocks(const cases::BlocksCase& blocks, geometry::TetraMesh mesh, const levels::Sharing& sharing,
-                         std::optional<Real> window) {
+BlocksModel build_blocks(const cases::BlocksCase& blocks, geometry::TetraMesh mesh, const BlocksSetting& setting) {
   BlocksModel model;
   model.mesh = std::move(mesh);
   model.material = materials_by_element(blocks, model.mesh);
   state::Bodies<3> bodies = make_bodies(blocks, model.mesh, model.material);
   add_strains(blocks, model.material, bodies);
   TermMaker maker(blocks, model, bodies);
-  Terms terms = maker.make(window);
+  Terms terms = maker.make(setting);
   find_stable_steps(terms, bodies.size(), model);
   model.simulation = std::make_unique<levels::Simulation<3>>(std::move(bodies), std::move(terms),
-                                                             step_rules(blocks.time, maker.base_step()), sharing);
+                                                             step_rules(blocks.time, maker.base_step()), setting.sharing);
   return model;
+}
+
+void apply_forces(BlocksModel& model, std::span<const Vector3> forces, std::span<const Vector3> moments) {
+  levels::Simulation<3>& simulation = *model.simulation;
+  if (model.outside_forces == nullptr) throw std::logic_error("the blocks were made without forces from outside");
+  if (simulation.now().tick % schedule::base_stride != 0) return;
+  std::vector<terms::OutsideForces::Load> loads(forces.size());
+  for (std::size_t i = 0; i < loads.size(); ++i) loads[i] = {forces[i], moments.empty() ? Vector3(Vector3::Zero()) : moments[i]};
+  std::vector<Index> which;
+  std::vector<state::Impulse<3>> more;
+  for (const auto& lacking : model.outside_forces->set(loads, simulation.now(), simulation.bodies())) {
+    which.push_back(lacking.body);
+    more.push_back(lacking.impulse);
+  }
+  simulation.add_to_kicks(which, more);
 }
 
 }  // namespace sazare::runs

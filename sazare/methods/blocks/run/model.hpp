@@ -4,10 +4,12 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "sazare/geometry/face_map.hpp"
 #include "sazare/levels/simulation.hpp"
+#include "sazare/levels/terms/outside_forces.hpp"
 #include "sazare/methods/blocks/block_contacts.hpp"
 #include "sazare/methods/blocks/case/case.hpp"
 #include "sazare/methods/blocks/charges/charge_gas.hpp"
@@ -36,12 +38,23 @@ struct BlocksModel {
   methods::blocks::OuterFaces* boundaries = nullptr;    ///< none where no face has a boundary; owned by the simulation
   methods::blocks::ChargeGas* charges = nullptr;        ///< none where no charge stands at a face; owned by the simulation
   methods::blocks::SurfaceContacts* surface = nullptr;  ///< of a coupling; owned by the simulation
+  terms::OutsideForces* outside_forces = nullptr;       ///< none in a run that takes none; owned by the simulation
 };
 
-/// Throws UserError when the case does not fit its mesh in a way only the faces show. With the windows of a coupling [s], a base
-/// step that the case does not give divides them, and there is a surface to be attached.
-BlocksModel build_blocks(const cases::BlocksCase& blocks, geometry::TetraMesh mesh, const levels::Sharing& sharing = {},
-                         std::optional<Real> window = std::nullopt);
+/// What a model is made for.
+struct BlocksSetting {
+  levels::Sharing sharing = {};
+  std::optional<Real> window = std::nullopt;  ///< of a coupling [s]: a base step that the case does not give divides it
+  bool takes_forces = false;                  ///< from outside
+};
+
+/// Throws UserError when the case does not fit its mesh in a way only the faces show. In a coupling there is a surface to be
+/// attached.
+BlocksModel build_blocks(const cases::BlocksCase& blocks, geometry::TetraMesh mesh, const BlocksSetting& setting = {});
+
+/// Forces on all elements, and moments about their centres or none, from the present base step on. Within a base step nothing is
+/// taken over: those of its beginning act to its end.
+void apply_forces(BlocksModel& model, std::span<const Vector3> forces, std::span<const Vector3> moments);
 
 /// The clocks of a case in base steps [s].
 inline RunClocks clocks_of(const cases::Time& time, Real base_step) {

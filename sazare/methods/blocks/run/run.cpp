@@ -54,7 +54,8 @@ struct BlocksWork final : WorkDefaults {
   /// What only the making takes is given back before the run needs as much for its snapshots.
   BlocksModel make_model() const {
     give_back_large_tables();
-    return build_blocks(file.as<cases::BlocksCase>(), mesh(), options.sharing);
+    return build_blocks(file.as<cases::BlocksCase>(), mesh(),
+                        {.sharing = options.sharing, .takes_forces = options.takes_forces && options.sharing.ranks == nullptr});
   }
 
   geometry::TetraMesh mesh() const {
@@ -101,6 +102,13 @@ struct BlocksWork final : WorkDefaults {
     if (options.sharing.ranks != nullptr) record.unite(*options.sharing.ranks);
   }
   void survey() override { record.survey(step(), options.sharing.ranks); }
+  bool takes_forces() const override { return model.outside_forces != nullptr; }
+  bool takes_moments() const override { return true; }
+  bool takes_forces_from_the_start() const override { return true; }
+  void apply(std::span<const Vector3> forces) override { apply_forces(model, forces, {}); }
+  void apply_with_moments(std::span<const Vector3> forces, std::span<const Vector3> moments) override {
+    apply_forces(model, forces, moments);
+  }
   void read_motion(MotionTable& table) const { read_bodies(simulation(), table); }
 
   ProgressState progress(Real share, Real time) const {

@@ -44,7 +44,8 @@ void CoupledRectangles::write_case(const RunFolder& folder) const {
 
 CoupledBlocks::CoupledBlocks(const BodiesSetting& setting)
     : file(*setting.hybrid.bodies),
-      model(build_blocks(file.as<cases::BlocksCase>(), load_mesh(file, setting.mesh, setting.keeps_mesh), {}, setting.window)),
+      model(build_blocks(file.as<cases::BlocksCase>(), load_mesh(file, setting.mesh, setting.keeps_mesh),
+                         {.window = setting.window, .takes_forces = setting.takes_forces})),
       side(*model.simulation, *model.surface, setting.can_return) {}
 
 void CoupledBlocks::write_case(const RunFolder& folder) const {

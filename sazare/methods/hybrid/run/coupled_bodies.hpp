@@ -13,6 +13,7 @@
 ///     prepare(options)                  what comes before the windows; false when asked to stop meanwhile
 ///     warning()                         see CaseRun
 ///     identity(), title(), write_case(folder)
+///     apply(forces)                     from outside, a row for each body as read_motion has them
 ///     read_motion(table), columns(archive)
 
 #include "sazare/cases/case_file.hpp"
@@ -42,6 +43,7 @@ struct BodiesSetting {
   bool can_return = true;           ///< whether a window may be gone through again, or taken back
   std::filesystem::path mesh = {};  ///< where a mesh that is made for them is kept
   bool keeps_mesh = false;          ///< whether one that stands there is taken
+  bool takes_forces = false;        ///< from outside, see LiveRun::apply
 };
 
 /// Whether windows of a case may be gone through again within one program.
@@ -65,6 +67,7 @@ struct CoupledSpheres {
   RunIdentity identity() const;
   const std::string& title() const { return file.as<cases::SpheresCase>().title; }
   void write_case(const RunFolder& folder) const;
+  void apply(std::span<const Vector3> forces) { model.stepper->apply({forces.begin(), forces.end()}); }
   void read_motion(MotionTable& table) { read_spheres(*model.stepper, table); }
   void columns(Archive& archive) { model.stepper->columns(archive); }
 };
@@ -87,6 +90,7 @@ struct CoupledRectangles {
   RunIdentity identity() const;
   const std::string& title() const { return file.as<cases::RectanglesCase>().title; }
   void write_case(const RunFolder& folder) const;
+  void apply(std::span<const Vector3> forces) { model.stepper->apply(forces); }
   void read_motion(MotionTable& table) const { read_particles(*model.stepper, model.elements, table); }
   void columns(Archive& archive) { model.stepper->columns(archive); }
 };
@@ -109,6 +113,7 @@ struct CoupledBlocks {
   RunIdentity identity() const { return identify(file.as<cases::BlocksCase>(), model.mesh); }
   const std::string& title() const { return file.as<cases::BlocksCase>().title; }
   void write_case(const RunFolder& folder) const;
+  void apply(std::span<const Vector3> forces) { apply_forces(model, forces, {}); }
   void read_motion(MotionTable& table) const { read_bodies(*model.simulation, table); }
   void columns(Archive& archive) { model.simulation->columns(archive); }
 };

@@ -47,10 +47,10 @@ struct HybridModel {
   methods::hybrid::ContinuumSide<D> continuum_side;
 
   HybridModel(const cases::CaseFile& file, geometry::ElementMesh mesh, const std::filesystem::path& mesh_of_bodies,
-              bool keeps_mesh)
+              bool keeps_mesh, bool takes_forces)
       : continuum(build_continuum<D>(*file.as<cases::HybridCase>().continuum, std::move(mesh))),
         bodies(BodiesSetting{file.as<cases::HybridCase>(), continuum.step, repeats(file.as<cases::HybridCase>()), mesh_of_bodies,
-                             keeps_mesh}),
+                             keeps_mesh, takes_forces}),
         continuum_side(*continuum.stepper, coupled_surface(file, continuum.mesh()),
                        coupling_rules(file.as<cases::HybridCase>())) {}
 
@@ -86,7 +86,7 @@ struct HybridWork final : WorkDefaults {
         continuum_folder(RunFolder::of_side(folder, "continuum", of_run.begin)),
         bodies_folder(RunFolder::of_side(folder, "bodies", of_run.begin)),
         model(of, load_continuum_mesh(continuum_case(), continuum_folder.mesh(), folder.resumes()), bodies_folder.mesh(),
-              folder.resumes()),
+              folder.resumes(), of_run.takes_forces),
         identity(identify(of.as<cases::HybridCase>(), identify(continuum_content(), mesh_hash(model.continuum.mesh())),
                           model.bodies.identity())),
         clocks(make_clocks(continuum_case(), continuum_content().time, "step", model.continuum.step)),
@@ -132,6 +132,16 @@ struct HybridWork final : WorkDefaults {
   }
   std::int64_t step() const { return model.continuum_side.totals().windows; }
 
+  bool takes_forces() const override { return true; }
+  bool takes_forces_from_the_start() const override { return std::is_same_v<Bodies, CoupledBlocks>; }
+  /// On nodes, then on bodies.
+  void apply(std::span<const Vector3> forces) override {
+    const std::size_t nodes = model.continuum.mesh().nodes.size();
+    methods::hybrid::NodalColumn column;
+    for (const Vector3& force : forces.first(nodes)) column.insert(column.end(), force.data(), force.data() + D);
+    model.continuum_side.push(std::move(column));
+    model.bodies.apply(forces.subspan(nodes));
+  }
   /// Nodes, then bodies.
   void read_motion(MotionTable& table) {
     MotionTable bodies;
@@ -188,7 +198,7 @@ struct HybridWork final : WorkDefaults {
 template <int D, class Bodies>
 std::string check(const cases::CaseFile& file, const std::filesystem::path& folder) {
   HybridModel<D, Bodies> model(file, load_continuum_mesh(*file.as<cases::HybridCase>().continuum, folder / "mesh.msh", false),
-                               folder / "bodies.msh", false);
+                               folder / "bodies.msh", false, false);
   model.attach(file);
   const auto& hybrid = file.as<cases::HybridCase>();
   const RunClocks clocks = make_clocks(*hybrid.continuum, cases::continuum_of(hybrid).time, "step", model.continuum.step);
