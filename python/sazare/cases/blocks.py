@@ -290,6 +290,46 @@ class Gravity(Part):
 
 
 @dataclass(kw_only=True, eq=False)
+class Water(Part):
+    """Water around the body and its fragments: buoyancy and drag."""
+
+    level: float
+    """Elevation of the still water's surface: along z where gravity acts along -z, in general against gravity. [m]"""
+    density: float | None = None
+    """Mass per volume of the water; sea water 1025. [kg/m3] Default: 1000.0. At least 0.001 and at most 100000."""
+    drag_coefficient: float | None = None
+    """Drag coefficient of faces that water meets: free ones, and those of elements that have come apart. Default: 1.0. At least 0
+    and at most 100.
+    """
+    current: tuple[float, float, float] | None = None
+    """Horizontal velocity of all the water, to which that of waves is added. [m/s] Default: [0.0, 0.0, 0.0]."""
+    waves: Literal["none", "airy", "stokes2", "solitary", "table"] | None = None
+    """Still water, linear (Airy) waves, Stokes waves of second order, a solitary wave, or a table of surface elevation and
+    velocity over time. Default: "none".
+    """
+    bed: float | None = None
+    """Elevation of the level bed over which waves travel, below the water. [m] (required for waves by a theory)"""
+    wave_height: float | None = None
+    """Height of the waves from trough to crest. [m] (required for waves by a theory) Greater than 0."""
+    wave_period: float | None = None
+    """Wave period; the wave length follows from the dispersion relation. [s] (required for airy and stokes2) At least 0.001 and
+    at most 100000.
+    """
+    wave_direction: float | None = None
+    """Direction in which waves travel, or the velocity of a table goes, from the x axis counter-clockwise as seen from above:
+    with gravity along -z, from x towards y. [deg] (with waves) Default: 0.0. At least -360 and at most 360.
+    """
+    wave_crest: float | None = None
+    """Where a crest stands at t = 0, along the direction of the waves from the origin. [m] (waves by a theory) Default: 0.0."""
+    wave_ramp: float | None = None
+    """Time in which waves grow from still water to their height. [s] (airy and stokes2) Default: 0.0. At least 0."""
+    wave_file: str | None = None
+    """CSV with the header "time [s],elevation [m],velocity [m/s]": elevation of the surface above level, and velocity along
+    wave_direction, both the same everywhere; linear between rows, constant before and after. (required for a table)
+    """
+
+
+@dataclass(kw_only=True, eq=False)
 class InitialStress(Part):
     """Stress in the body at the beginning, which bonded joints and boundaries carry."""
 
@@ -458,6 +498,7 @@ class Case(AnyCase):
         "blasts": Blast,
         "charges": Charge,
         "gravity": Gravity,
+        "water": Water,
         "initial_stress": InitialStress,
         "motions": Motion,
         "boundaries": Boundary,
@@ -482,6 +523,8 @@ class Case(AnyCase):
     """Explosive in holes: the detonation runs along it, and its gas presses on the wall until it has expanded."""
     gravity: Gravity | None = None
     """Body force."""
+    water: Water | None = None
+    """Water around the body and its fragments: buoyancy and drag."""
     initial_stress: InitialStress | None = None
     """Stress in the body at the beginning, which bonded joints and boundaries carry."""
     motions: list[Motion] = field(default_factory=list)

@@ -8,14 +8,21 @@ from sazare import style
 from sazare.model.parts import (
     BOUNDARY, COLORS, INSIDE, JOINT_COLORS, LOAD, Arrow, Model, Part, along, body_color, boundary_words, counted, gauges_at_points, grouped, listed, named, outer_faces, surface_part,
 )
+from sazare.model.water import current_notes, water_parts
 
 
 def model(opened):
     """What is drawn of the case."""
     return Model(
-        3, [*_regions(opened), *_joints(opened), *_boundaries(opened), *_blasts(opened), *_charges(opened)], gauges_at_points(opened), _velocities(opened), opened.gravity,
-        _constraints(opened),
+        3, [*_regions(opened), *_joints(opened), *_boundaries(opened), *_blasts(opened), *_charges(opened), *water_parts(opened, _room(opened))],
+        gauges_at_points(opened), _velocities(opened), opened.gravity, [*_constraints(opened), *current_notes(opened)],
     )
+
+
+def _room(opened):
+    """The box of the body and a margin around it [m]."""
+    box = np.array(opened.first.bounds).reshape(3, 2).T
+    return box + 0.12 * np.ptp(box, axis=0).max() * np.array([[-1.0], [1.0]])
 
 
 def _region_names(opened):

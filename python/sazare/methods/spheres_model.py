@@ -4,13 +4,12 @@ import numpy as np
 
 from sazare import style
 from sazare.model.parts import COLORS, WALL, Arrow, Mark, Model, Part, along, body_color, counted, grouped, listed, moving_words
+from sazare.model.water import CORNERS, current_notes, plane_in_box, water_parts
 
-CORNERS = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
 BOX_SIDES = ((0, 1, 3, 2), (4, 5, 7, 6), (0, 1, 5, 4), (2, 3, 7, 6), (0, 2, 6, 4), (1, 3, 7, 5))  # places in CORNERS
 MARGIN = 0.12  # of the extent of the body, by which planes go beyond it
 NEAR = 10.0  # extents of the body; to a plane that is nearer its picture is widened
 HELD_COLOR = "#8c1d1d"
-WATER = "#2b6cb0"
 
 
 def preparation(case):
@@ -35,10 +34,9 @@ def model(opened):
             notes.append(f"{entry['name']}: initial velocity {along(entry['velocity'], 'm/s')}")
         if entry.get("rain"):
             notes.append(f"{entry['name']}: shown where it begins to rain")
-    if any(current := opened.case.get("water", {}).get("current", ())):
-        notes.append(f"current {along(current, 'm/s')}")
+    notes += current_notes(opened)
     bounds = np.array([(centers - radii[:, None]).min(axis=0), (centers + radii[:, None]).max(axis=0)])
-    return Model(3, [*parts, *_walls(opened, bounds), *_water(opened, bounds)], gauges, arrows, opened.gravity, [*_periodic(opened), *notes])
+    return Model(3, [*parts, *_walls(opened, bounds), *water_parts(opened, _room(opened, bounds))], gauges, arrows, opened.gravity, [*_periodic(opened), *notes])
 
 
 def _color(entry, number):
@@ -71,19 +69,6 @@ def _walls(opened, bounds):
             faces += _faces(entry, room)
         label = f"wall {listed(entry['name'] for entry in alike)}{words}"
         yield Part(label, COLORS["velocity" if words else "support"], WALL, faces=faces)
-
-
-def _water(opened, bounds):
-    """The still surface of the water, where it is not far from the spheres."""
-    water = opened.case.get("water", {})
-    up = -np.asarray(opened.gravity if opened.gravity is not None else (0.0, 0.0, 0.0), dtype=float)
-    if "level" not in water or not up.any():
-        return
-    up /= np.linalg.norm(up)
-    waves = "" if water.get("waves", "none") == "none" else f", waves {water['waves']}"
-    outline = plane_in_box(water["level"] * up, up, _room(opened, bounds))
-    if len(outline) > 2:
-        yield Part(f"water: level {style.quantity(water['level'], 'm')}{waves}", WATER, WALL, faces=[outline])
 
 
 def _room(opened, bounds):
@@ -126,21 +111,3 @@ def _triangles(entry):
 
     surface = pyvista.STLReader(path).read().triangulate()
     return list(entry["scale"] * np.asarray(surface.points)[np.asarray(surface.faces).reshape(-1, 4)[:, 1:]])
-
-
-def plane_in_box(point, normal, box):
-    """The outline (k, 3) of the part of a plane that lies in a box, in order; empty where it passes beside."""
-    corners = box[0] + CORNERS * (box[1] - box[0])
-    heights = (corners - point) @ (normal / np.linalg.norm(normal))
-    found = [corners[i] for i in range(8) if heights[i] == 0.0]
-    for i in range(8):
-        for axis in range(3):
-            j = i | (4 >> axis)
-            if heights[i] * heights[j] < 0.0:
-                found.append(corners[i] + heights[i] / (heights[i] - heights[j]) * (corners[j] - corners[i]))
-    if len(found) < 3:
-        return np.empty((0, 3))
-    found = np.array(found)
-    across = np.linalg.svd(normal[None, :])[2][1:]
-    flat = (found - found.mean(axis=0)) @ across.T
-    return found[np.argsort(np.arctan2(flat[:, 1], flat[:, 0]))]

@@ -107,17 +107,29 @@ inline constexpr std::array water_keys{
             "along wave_direction, both the same everywhere; linear between rows, constant before and after."},
 };
 
+/// Of water on the faces of bodies, see WaterOnFaces.
+inline constexpr auto face_water_keys = [] {
+  std::array<Key, water_keys.size() - 2> kept{};
+  std::size_t next = 0;
+  for (const Key& key : water_keys)
+    if (key.name != "viscosity" && key.name != "inertia_coefficient") kept[next++] = key;
+  for (Key& key : kept)
+    if (key.name == "drag_coefficient") {
+      key.default_text = "1.0";
+      key.note = "";
+      key.sentence = "Drag coefficient of faces that water meets: free ones, and those of elements that have come apart.";
+    }
+  return kept;
+}();
+
+inline constexpr Table face_water_table{"water", false, Need::optional,
+                                        "Water around the body and its fragments: buoyancy and drag.", face_water_keys};
+
 inline constexpr Table water_table{"water", false, Need::optional, "Water around bodies: buoyancy, drag and inertia.",
                                    water_keys};
 
 template <class Visitor>
-void visit_fields(Visitor& visit, Water& water) {
-  if (!visit.has("level", water.is_there())) return;
-  visit("level", water.level);
-  visit("density", water.density);
-  visit("viscosity", water.viscosity);
-  visit("drag_coefficient", water.drag_coefficient);
-  visit("inertia_coefficient", water.inertia_coefficient);
+void visit_motion(Visitor& visit, Water& water) {
   visit("current", water.current);
   visit("waves", water.waves);
   visit("bed", water.bed);
@@ -129,6 +141,26 @@ void visit_fields(Visitor& visit, Water& water) {
   if (!water.is_regular()) return;
   visit("wave_period", water.wave_period);
   visit("wave_ramp", water.wave_ramp);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Water& water) {
+  if (!visit.has("level", water.is_there())) return;
+  visit("level", water.level);
+  visit("density", water.density);
+  visit("viscosity", water.viscosity);
+  visit("drag_coefficient", water.drag_coefficient);
+  visit("inertia_coefficient", water.inertia_coefficient);
+  visit_motion(visit, water);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, WaterOnFaces& water) {
+  if (!visit.has("level", water.is_there())) return;
+  visit("level", water.level);
+  visit("density", water.density);
+  visit("drag_coefficient", water.drag_coefficient);
+  visit_motion(visit, water);
 }
 
 }  // namespace sazare::cases

@@ -39,10 +39,19 @@ struct Water {
   Real depth() const { return *level - *bed; }  ///< where there is a bed [m]
 };
 
+/// Water around bodies whose faces it meets: it has no viscosity, and they carry none of it along.
+struct WaterOnFaces : Water {
+  WaterOnFaces() {
+    drag_coefficient = 1;
+    inertia_coefficient = 1;
+  }
+};
+
 /// The water of a checked case.
 laws::WaterField water_field(const Water& water, const Gravity& gravity);
 
 /// What `check` says of it; empty where there is none.
 std::string explain_water(const Water& water, const Gravity& gravity);
+std::string explain_water(const WaterOnFaces& water, const Gravity& gravity);
 
 }  // namespace sazare::cases

@@ -8,7 +8,7 @@
 
 #include "sazare/levels/terms/events.hpp"
 #include "sazare/levels/terms/slot_table.hpp"
-#include "sazare/methods/blocks/joint_rates.hpp"
+#include "sazare/methods/blocks/rates/joint_rates.hpp"
 
 namespace sazare::methods::blocks {
 

@@ -20,7 +20,7 @@
 
 #include "sazare/laws/ground_motion.hpp"
 #include "sazare/levels/terms/slot_table.hpp"
-#include "sazare/methods/blocks/joint_rates.hpp"
+#include "sazare/methods/blocks/rates/joint_rates.hpp"
 
 namespace sazare::methods::blocks {
 

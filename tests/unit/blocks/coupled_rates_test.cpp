@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "sazare/methods/blocks/case/case.hpp"
-#include "sazare/methods/blocks/coupled_rates.hpp"
+#include "sazare/methods/blocks/rates/coupled_rates.hpp"
 #include "sazare/methods/blocks/run/parts.hpp"
 #include "tests/support/blocks_scene.hpp"
 

@@ -1,4 +1,4 @@
-#include "sazare/methods/blocks/joint_rates.hpp"
+#include "sazare/methods/blocks/rates/joint_rates.hpp"
 
 #include <gtest/gtest.h>
 

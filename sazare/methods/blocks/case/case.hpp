@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sazare/cases/tables.hpp"
+#include "sazare/cases/water/table.hpp"
 #include "sazare/laws/block_elasticity.hpp"
 #include "sazare/laws/deformable_block.hpp"
 #include "sazare/laws/explosives.hpp"
@@ -237,6 +238,7 @@ struct BlocksCase {
   std::vector<Blast> blasts;
   std::vector<Charge> charges;
   Gravity gravity;
+  WaterOnFaces water;
   InitialStress initial_stress;
   std::vector<Motion> motions;
   std::vector<Boundary> boundaries;

@@ -161,6 +161,7 @@ void explain_conditions(Explanation& text, const BlocksCase& blocks) {
   for (const Blast& blast : blocks.blasts) explain_blast(text, blast);
   explain_charges(text, blocks.charges);
   if (!blocks.gravity.acceleration.isZero()) text.add("gravity", vector_text(blocks.gravity.acceleration) + " m/s2");
+  text.add(explain_water(blocks.water, blocks.gravity));
   explain_initial_stress(text, blocks.initial_stress);
   text.add(explain_motions(blocks.motions, blocks.time.end));
   for (const Boundary& boundary : blocks.boundaries)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sazare/cases/fields.hpp"
+#include "sazare/cases/water/keys.hpp"
 #include "sazare/methods/blocks/case/case.hpp"
 
 /// Which member of a case of method blocks belongs to which key (see fields.hpp of the module cases).
@@ -222,6 +223,7 @@ void visit_tables(Visitor& visit, BlocksCase& blocks) {
   visit.list("blasts", blocks.blasts);
   visit.list("charges", blocks.charges);
   visit.one("gravity", blocks.gravity);
+  visit.one("water", blocks.water);
   visit.one("initial_stress", blocks.initial_stress);
   visit.list("motions", blocks.motions);
   visit.list("boundaries", blocks.boundaries);

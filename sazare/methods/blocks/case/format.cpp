@@ -7,6 +7,7 @@
 #include "sazare/cases/case_reader.hpp"
 #include "sazare/cases/case_writer.hpp"
 #include "sazare/cases/outside_history.hpp"
+#include "sazare/cases/water/checks.hpp"
 #include "sazare/methods/blocks/case/checks.hpp"
 #include "sazare/methods/blocks/case/fields.hpp"
 
@@ -43,6 +44,7 @@ void read(const CheckContext& context, CaseFile& file) {
   check_charges(context, blocks);
   check_constraints(context, blocks);
   check_initial_stress(context, blocks);
+  check_water(context, blocks.water, blocks.gravity, blocks.time.end);
   check_motions(context, blocks.motions, blocks.time.end);
   resolve_clocks(context, blocks.time);
   if (blocks.time.strict) context.problems.turn_warnings_into_errors();

@@ -52,6 +52,10 @@ laws::LinearStress BlocksCase::stress_at_start() const {
 void check_initial_stress(const CheckContext& context, const BlocksCase& blocks) {
   const Entry entry = context.entries_of("initial_stress").front();
   if (!entry.exists()) return;
+  if (blocks.water.is_there() && !blocks.initial_stress.is_zero())
+    context.problems.error(context.entries_of("water").front().place("level"),
+                           "water and an initial stress cannot be combined in method blocks",
+                           "the initial stress is in equilibrium with the dry weight: remove one of the two");
   for (std::size_t joint = 0; joint < blocks.joints.size(); ++joint)
     if (blocks.joints[joint].shear_stiffness == Real{0} && !blocks.initial_stress.is_zero())
       context.problems.error(context.entries_of("joints")[joint].place("joint_shear_stiffness"),

@@ -3,6 +3,7 @@
 #include "sazare/cases/case_keys.hpp"
 #include "sazare/cases/format/usual_values.hpp"
 #include "sazare/cases/law_keys.hpp"
+#include "sazare/cases/water/keys.hpp"
 #include "sazare/laws/joint_laws.hpp"
 #include "sazare/methods/blocks/case/charge_keys.hpp"
 #include "sazare/methods/blocks/case/format.hpp"
@@ -428,6 +429,7 @@ constexpr std::array tables{
           "Explosive in holes: the detonation runs along it, and its gas presses on the wall until it has expanded.",
           charge_keys},
     gravity_table,
+    face_water_table,
     Table{"initial_stress", false, Need::optional,
           "Stress in the body at the beginning, which bonded joints and boundaries carry.", initial_stress_keys},
     motions_table,

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "sazare/methods/blocks/joint_rates.hpp"
+#include "sazare/methods/blocks/rates/joint_rates.hpp"
 
 namespace sazare::runs {
 

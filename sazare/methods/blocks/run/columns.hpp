@@ -11,7 +11,7 @@ using observe::Column;
 
 inline constexpr std::array pieces = {Column{"broken_joints", "-", "so far"}, Column{"fragments", "-", "now"}};
 inline constexpr std::array energies = {
-    Column{"energy_work", "J", "done by loads, gravity, forces given in Python and moving boundaries"},
+    Column{"energy_work", "J", "done by loads, gravity, water, forces given in Python and moving boundaries"},
     Column{"energy_kinetic", "J", "increase since the beginning"},
     Column{"energy_elastic", "J", "stored in joints, deformable elements, contacts and boundaries since the beginning"},
     Column{"energy_joint_dashpot", "J", "dissipated by dashpots of joints, and by the bulk damping of deformable elements"},

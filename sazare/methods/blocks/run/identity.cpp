@@ -20,6 +20,7 @@ std::string text_of(cases::BlocksCase blocks) {
   blocks.mesh.file = blocks.mesh.file.filename();
   for (cases::Blast& blast : blocks.blasts)
     if (auto* table = std::get_if<cases::PressureTable>(&blast.pressure)) table->file = table->file.filename();
+  blocks.water.wave_file = blocks.water.wave_file.filename();
   blocks.output = {};
   return cases::write_resolved(blocks);
 }
@@ -44,6 +45,8 @@ std::string tables_hash(const cases::BlocksCase& blocks) {
       hash.add(bytes_of(table->time));
       hash.add(bytes_of(table->pressure));
     }
+  if (const auto& waves = blocks.water.record)
+    for (const auto* column : {&waves->time, &waves->elevation, &waves->velocity}) hash.add(bytes_of(*column));
   return observe::to_hex(hash.value());
 }
 

@@ -6,13 +6,14 @@
 #include "sazare/core/error.hpp"
 #include "sazare/levels/terms/gravity.hpp"
 #include "sazare/methods/blocks/contacts.hpp"
-#include "sazare/methods/blocks/coupled_rates.hpp"
 #include "sazare/methods/blocks/face_contacts.hpp"
+#include "sazare/methods/blocks/rates/coupled_rates.hpp"
 #include "sazare/methods/blocks/run/base_step.hpp"
 #include "sazare/methods/blocks/run/blasting/charges.hpp"
 #include "sazare/methods/blocks/run/joints/deformable_elements.hpp"
 #include "sazare/methods/blocks/run/joints/element_springs.hpp"
 #include "sazare/methods/blocks/run/parts.hpp"
+#include "sazare/methods/blocks/run/water.hpp"
 
 namespace sazare::runs {
 
@@ -102,6 +103,7 @@ public:
            std::make_unique<methods::blocks::CrackGas>(*model_.charges, *model_.joints, make_gas_faces(blocks_, faces), bodies_));
     if (!blocks_.gravity.acceleration.isZero())
       keep(terms_, std::make_unique<terms::Gravity<3>>(blocks_.gravity.acceleration, bodies_));
+    if (auto water = make_water(blocks_, faces, *model_.joints, bodies_)) model_.water = keep(terms_, std::move(water));
     if (setting.takes_forces) model_.outside_forces = keep(terms_, std::make_unique<terms::OutsideForces>(bodies_));
     return std::move(terms_);
   }

@@ -19,6 +19,7 @@
 #include "sazare/methods/blocks/run/joints/strength_scatter.hpp"
 #include "sazare/methods/blocks/run/mesh_fit.hpp"
 #include "sazare/methods/blocks/surface_contacts.hpp"
+#include "sazare/methods/blocks/water/water_loads.hpp"
 #include "sazare/runs/run_clocks.hpp"
 
 namespace sazare::runs {
@@ -38,6 +39,7 @@ struct BlocksModel {
   methods::blocks::OuterFaces* boundaries = nullptr;    ///< none where no face has a boundary; owned by the simulation
   methods::blocks::ChargeGas* charges = nullptr;        ///< none where no charge stands at a face; owned by the simulation
   methods::blocks::SurfaceContacts* surface = nullptr;  ///< of a coupling; owned by the simulation
+  methods::blocks::WaterLoads* water = nullptr;         ///< none without water; owned by the simulation
   terms::OutsideForces* outside_forces = nullptr;       ///< none in a run that takes none; owned by the simulation
 };
 

@@ -17,10 +17,10 @@
 ///     read_motion(table), columns(archive)
 
 #include "sazare/cases/case_file.hpp"
-#include "sazare/methods/blocks/run/identity.hpp"
-#include "sazare/methods/blocks/run/motion_rows.hpp"
-#include "sazare/methods/blocks/run/record.hpp"
 #include "sazare/methods/blocks/run/check/stability.hpp"
+#include "sazare/methods/blocks/run/identity.hpp"
+#include "sazare/methods/blocks/run/record.hpp"
+#include "sazare/methods/blocks/run/rows/motion_rows.hpp"
 #include "sazare/methods/hybrid/block_side.hpp"
 #include "sazare/methods/hybrid/case/case.hpp"
 #include "sazare/methods/hybrid/rectangle_side.hpp"

@@ -9,7 +9,7 @@
 
 #include "sazare/methods/blocks/case/case.hpp"
 #include "sazare/methods/blocks/deformation/elements.hpp"
-#include "sazare/methods/blocks/joint_rates.hpp"
+#include "sazare/methods/blocks/rates/joint_rates.hpp"
 #include "sazare/methods/blocks/run/parts.hpp"
 
 namespace sazare::runs {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "sazare/methods/blocks/case/case.hpp"
-#include "sazare/methods/blocks/joint_rates.hpp"
+#include "sazare/methods/blocks/rates/joint_rates.hpp"
 
 namespace sazare::runs {
 

@@ -1,4 +1,4 @@
-#include "sazare/methods/blocks/run/rank_times.hpp"
+#include "sazare/methods/blocks/run/rows/rank_times.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "sazare/methods/blocks/run/motion_rows.hpp"
+#include "sazare/methods/blocks/run/rows/motion_rows.hpp"
 
 namespace sazare::runs {
 

@@ -9,7 +9,7 @@
 /// is found by power iteration, and rates of r c / 2 make half the step stable for the mesh as it is. Links that break only
 /// lower the sum.
 
-#include "sazare/methods/blocks/joint_rates.hpp"
+#include "sazare/methods/blocks/rates/joint_rates.hpp"
 
 namespace sazare::methods::blocks {
 

@@ -1,4 +1,4 @@
-#include "sazare/methods/blocks/coupled_rates.hpp"
+#include "sazare/methods/blocks/rates/coupled_rates.hpp"
 
 #include <algorithm>
 #include <random>
