@@ -153,6 +153,19 @@ def test_elastic_elements_give_the_same_bits_whoever_owns_them(sazare, tmp_path,
     assert_same_results(tmp_path / "alone", tmp_path / "many")
 
 
+def test_water_washes_broken_faces_the_same_way_on_ranks(sazare, tmp_path):
+    text = sazare.block.read_text(encoding="utf-8").replace('"block.msh"', f'"{sazare.block.parent}/block.msh"')
+    case = tmp_path / "wet.toml"
+    case.write_text(text + "\n[gravity]\nacceleration = [0.0, 0.0, -9.81]\n\n[water]\nlevel = 0.2\ncurrent = [3.0, 0.0, 0.0]\n", encoding="utf-8")
+    options = ("--threads", 1, "--set", "time.end=8e-4")
+    alone = sazare("run", case, "--out", tmp_path / "alone", *options)
+    assert alone.returncode == DONE, alone.stderr
+    assert manifest(tmp_path / "alone")["results"]["broken_joints"] > 0
+    many = sazare.on_ranks(4, "run", case, "--out", tmp_path / "many", *options, "--balance", "random", "--balance-interval", 7)
+    assert many.returncode == DONE, many.stderr
+    assert_same_results(tmp_path / "alone", tmp_path / "many")
+
+
 def test_under_a_travel_limit_bodies_refine_each_other_across_ranks(sazare, tmp_path):
     travel = ["--set", "time.limiter=travel", "--set", "time.travel_length=2e-6", "--set", "time.base_step=1e-6"]
     one = sazare(*block_run(sazare, tmp_path / "one", *travel))

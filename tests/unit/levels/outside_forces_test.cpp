@@ -149,10 +149,10 @@ TEST(outside_forces, their_work_is_what_a_free_body_gains) {
     return loads;
   };
   EXPECT_LT(imbalance(forces_alone, 0.02), 1e-13);
-  // Free rotation keeps its energy to the third order only.
+  // A body that turns freely keeps its energy to the second order only.
   const Real coarse = imbalance(changing, 0.02), fine = imbalance(changing, 0.01);
-  EXPECT_LT(coarse, 1e-6);
-  EXPECT_LT(fine, coarse / 6);
+  EXPECT_LT(coarse, 1e-8);
+  EXPECT_LT(fine, coarse / 3.5);
 }
 
 TEST(outside_forces, their_work_balances_in_a_network_of_mixed_levels) {
@@ -165,7 +165,7 @@ TEST(outside_forces, their_work_balances_in_a_network_of_mixed_levels) {
     EXPECT_GT(all.simulation->energy_balance()[EnergyKind::work], 1);
     residual[static_cast<std::size_t>(finer)] = std::abs(all.simulation->energy_balance().residual());
   }
-  EXPECT_LT(residual[0], 2e-3);
+  EXPECT_LT(residual[0], 1e-2);
   EXPECT_LT(residual[1], residual[0] / 3);  // what the leapfrog step makes of energy is of second order
 }
 
