@@ -25,13 +25,12 @@ int check(const CheckArguments& arguments) {
   use_threads(of_case.threads, true);
   const cases::CaseFile file = registry::read_case(of_case.file, of_case.settings);
   fmt::print(stderr, "{}", file.warnings);  // first: an unusual number may be the reason of what is refused below
+  const auto explain_ranks = registry::method(file.method).explain_ranks;
+  if (arguments.ranks > 0 && !explain_ranks)
+    throw UserError("--ranks: a run of this method is one process: remove --ranks, and use --threads");
   const std::string text = registry::check_case(file);
   fmt::print("{}", text);
-  if (arguments.ranks > 0) {
-    const auto explain = registry::method(file.method).explain_ranks;
-    if (!explain) throw UserError("--ranks: this method runs in one process, with --threads");
-    fmt::print("{}", explain(file, arguments.ranks));
-  }
+  if (arguments.ranks > 0) fmt::print("{}", explain_ranks(file, arguments.ranks));
   fmt::print("\nThe case is valid. To run it: sazare run {}\n", of_case.file.string());
   return arguments.picture.empty() ? done : draw(arguments);
 }

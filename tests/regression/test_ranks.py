@@ -242,7 +242,7 @@ def test_check_foretells_the_lock_step_of_ranks(sazare, tmp_path, policy):
 
 
 def test_check_of_a_method_in_one_process_refuses_ranks(sazare):
-    refused = sazare("check", sazare.block.parents[3] / "cases/sphere-drum/case.toml", "--ranks", 4)
+    refused = sazare("check", sazare.block.parents[3] / "cases/tetrapod-drop/case.toml", "--ranks", 4)
     assert refused.returncode == USER_ERROR
     assert "one process" in refused.stderr
 
