@@ -71,15 +71,24 @@ def elastic_block(folder):
     return case
 
 
-@pytest.mark.parametrize("ranks", [2, 3])
+@pytest.mark.parametrize(
+    ("ranks", "sharing"),
+    [
+        (2, []),
+        (3, []),
+        (4, ["--balance", "by_level", "--balance-interval", 6]),
+        (4, ["--balance", "random", "--balance-interval", 6]),
+        pytest.param(4, ["--balance", "graph", "--balance-interval", 6], marks=NEEDS_METIS),
+    ],
+)
 @pytest.mark.parametrize("deformable", ["false", "true"])
-def test_springs_of_the_elements_give_the_same_bits_on_ranks(sazare, tmp_path, ranks, deformable):
+def test_elastic_elements_give_the_same_bits_whoever_owns_them(sazare, tmp_path, ranks, sharing, deformable):
     case = elastic_block(tmp_path)
     options = ("--threads", 1, "--set", LATER, "--set", f"materials.0.deformable={deformable}")
     alone = sazare("run", case, "--out", tmp_path / "alone", *options)
     assert alone.returncode == DONE, alone.stderr
     assert manifest(tmp_path / "alone")["results"]["broken_joints"] > 0
-    many = sazare.on_ranks(ranks, "run", case, "--out", tmp_path / "many", *options)
+    many = sazare.on_ranks(ranks, "run", case, "--out", tmp_path / "many", *options, *sharing)
     assert many.returncode == DONE, many.stderr
     assert_same_results(tmp_path / "alone", tmp_path / "many")
 
@@ -139,18 +148,6 @@ def test_any_number_of_ranks_gives_the_same_bits(sazare, tmp_path, alone, ranks,
     assert done.returncode == DONE, done.stderr
     assert manifest(alone)["results"]["broken_joints"] > 0
     assert_same_results(alone, tmp_path / "run")
-
-
-@pytest.mark.parametrize("policy", ["by_level", "random", pytest.param("graph", marks=NEEDS_METIS)])
-@pytest.mark.parametrize("deformable", ["false", "true"])
-def test_elastic_elements_give_the_same_bits_whoever_owns_them(sazare, tmp_path, policy, deformable):
-    case = elastic_block(tmp_path)
-    options = ("--threads", 1, "--set", LATER, "--set", f"materials.0.deformable={deformable}")
-    alone = sazare("run", case, "--out", tmp_path / "alone", *options)
-    assert alone.returncode == DONE, alone.stderr
-    many = sazare.on_ranks(4, "run", case, "--out", tmp_path / "many", *options, "--balance", policy, "--balance-interval", 6)
-    assert many.returncode == DONE, many.stderr
-    assert_same_results(tmp_path / "alone", tmp_path / "many")
 
 
 def test_water_washes_broken_faces_the_same_way_on_ranks(sazare, tmp_path):

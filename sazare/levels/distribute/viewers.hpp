@@ -34,7 +34,7 @@ class Viewers {
 public:
   void begin(Index bodies) { by_body_.assign(static_cast<std::size_t>(bodies), {}); }
 
-  /// Shows the two bodies of a link to each other's owner. Whether these are two.
+  /// Shows the two bodies of a link to each other's owner. Returns whether they have two.
   bool add(const Link& link, bool looks_at_steps, const Owners& owners);
 
   /// Ranks that see a body, without its owner.
