@@ -11,6 +11,7 @@ CaseFolder::CaseFolder() {
   write("slab.msh", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n");
   write("block.geo", "// an empty geometry\n");
   write("pressure.csv", "time [s],pressure [Pa]\r\n0,0\r\n1.33e-4, 5.75e8\r\n5e-4,0\r\n");
+  write("waves.csv", "time [s],elevation [m],velocity [m/s]\r\n0,0,0\r\n1,0.2,0.1\r\n");
   write("shake.csv", "time [s],velocity [m/s]\r\n0,0\r\n1e-3,0.1\r\n2e-3,0.2\r\n");
 }
 

@@ -27,7 +27,7 @@ private:
 /// The smallest case: only keys without a default.
 std::string smallest_case();
 
-/// A case in which every key of the schema is given (friction as an angle) or stands for one that cannot be
+/// A case in which every key of the schema but those of water is given (friction as an angle) or stands for one that cannot be
 /// beside it.
 std::string full_case();
 

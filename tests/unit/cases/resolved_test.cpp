@@ -1,11 +1,37 @@
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "case_folder.hpp"
 #include "sazare/cases/format/schema.hpp"
 #include "sazare/methods/blocks/case/format.hpp"
 
 namespace sazare::cases {
 namespace {
+
+/// Blocks in water, by a theory of waves and by a table, which together give every key of water; an initial stress is refused
+/// beside it, so that the full case has none.
+std::array<std::string, 2> wet_cases() {
+  const std::string water = smallest_case() + R"(
+[gravity]
+acceleration = [0, 0, -9.81]
+
+[water]
+level = 1.5
+density = 1025
+drag_coefficient = 1.2
+current = [0.1, 0.2, 0]
+wave_direction = 30
+)";
+  return {water + R"(waves = "stokes2"
+bed = -5
+wave_height = 0.4
+wave_period = 4
+wave_crest = 2
+wave_ramp = 8
+)",
+          water + "waves = \"table\"\nwave_file = \"waves.csv\"\n"};
+}
 
 /// Every number of a case is written in as many digits as it needs, so equal texts mean equal cases.
 void expect_round_trip(const CaseFolder& folder, const std::string& text) {
@@ -60,9 +86,15 @@ TEST(Resolved, ReadsBackWithElasticityAndDampingByTheOtherWay) {
   expect_round_trip(folder, text + "\n[gravity]\nacceleration = [0, 0, -9.81]\n\n[initial_stress]\nk0 = 0.5\ndatum = 3\n");
 }
 
+TEST(Resolved, ReadsBackWithWater) {
+  const CaseFolder folder;
+  for (const std::string& text : wet_cases()) expect_round_trip(folder, text);
+}
+
 TEST(Resolved, HoldsEveryKey) {
   const CaseFolder folder;
-  const std::string text = "\n" + write_resolved(folder.read(full_case()).as<cases::BlocksCase>());
+  std::string text = "\n" + write_resolved(folder.read(full_case()).as<cases::BlocksCase>());
+  for (const std::string& wet : wet_cases()) text += write_resolved(folder.read(wet).as<cases::BlocksCase>());
   for (const Table& table : blocks_schema()) {
     for (const Key& key : table.keys) {
       if (is_other_way(key.name)) continue;
