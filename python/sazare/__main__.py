@@ -1,5 +1,6 @@
 """The command `python -m sazare`, to which `sazare report`, `plot`, `movie`, `compare` and `check --picture` hand over."""
 
+import os
 import sys
 import time
 import traceback
@@ -113,6 +114,16 @@ def parser():
     return top
 
 
+def drop_unwritten_output():
+    """Lets go of what standard output cannot take, or the interpreter would try again at its end, and end with another exit code."""
+    try:
+        sys.stdout.flush()
+    except OSError:
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, sys.stdout.fileno())
+        os.close(nowhere)
+
+
 def main(arguments=None):
     """Runs the command; returns its exit code: 0 done, 2 an error of the user, 4 the machine, or Ctrl-C."""
     chosen = None
@@ -129,6 +140,7 @@ def main(arguments=None):
         return USER_ERROR
     except OSError as error:
         print(f"error: {error}", file=sys.stderr)
+        drop_unwritten_output()
         return MACHINE_ERROR
     except (TypeError, KeyError, IndexError, AttributeError, ArithmeticError, RuntimeError) as error:
         place = traceback.extract_tb(error.__traceback__)[-1]

@@ -3,6 +3,7 @@
 import argparse
 import math
 import re
+import sys
 
 NEGATIVE = re.compile(r"^-(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$|^-(inf|nan)$", re.IGNORECASE)
 
@@ -24,6 +25,11 @@ class Parser(argparse.ArgumentParser):
     def error(self, message):
         """Ends the command with an error of the user."""
         self._end(message, self.prog)
+
+    def exit(self, status=0, message=None):
+        """As argparse, but what --help prints is written before, so that a full disk is an error that can be told."""
+        sys.stdout.flush()
+        super().exit(status, message)
 
     def _end(self, message, command):
         self.exit(2, f"error: {message}\n      help: {command} --help shows the options\n")

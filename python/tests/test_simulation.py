@@ -307,10 +307,14 @@ def test_a_full_disk_behind_the_standard_output_is_an_error(tmp_path):
     assert done.returncode == 4 and "standard output cannot be written" in done.stderr
 
 
-def test_a_full_disk_behind_the_help_of_a_python_command_is_an_error():
+@pytest.mark.parametrize("words", [["motion", "--help"], ["--help"], ["motion", "spectrum", RECORD]], ids=["help", "main-help", "table"])
+@pytest.mark.parametrize("buffering", ["", "1"], ids=["buffered", "unbuffered"])
+def test_a_full_disk_behind_the_output_of_a_python_command_is_an_error(tmp_path, buffering, words):
     with open("/dev/full", "w") as full:
-        done = subprocess.run([sys.executable, "-m", "sazare", "motion", "--help"], stdout=full, stderr=subprocess.PIPE, text=True, env={**os.environ, "PYTHONPATH": str(ROOT / "python")})
-    assert done.returncode == 4 and "Traceback" not in done.stderr
+        environment = {**os.environ, "PYTHONPATH": str(ROOT / "python"), "PYTHONUNBUFFERED": buffering}
+        done = subprocess.run([sys.executable, "-m", "sazare", *words], stdout=full, stderr=subprocess.PIPE, text=True, env=environment, cwd=tmp_path)
+    assert done.returncode == 4 and "error: " in done.stderr
+    assert "Traceback" not in done.stderr and "Exception ignored" not in done.stderr
 
 
 def test_a_missing_folder_for_temporary_files_is_told_of(tmp_path):
