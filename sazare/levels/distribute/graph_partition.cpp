@@ -16,6 +16,7 @@ namespace {
 constexpr Real least_share = 0.02;       // of all work: what has less has no constraint of its own
 constexpr Real tolerated_excess = 1.02;  // of the largest part over the mean, for every constraint
 constexpr Real largest_sum = 1e8;        // of weights, which METIS adds up in 32 bits
+constexpr Index fewest_chunks = 4;       // per rank: with fewer METIS leaves ranks without any
 constexpr int few_parts = 8;             // for which METIS's manual advises to cut in halves
 
 /// Levels whose work is balanced together: each has a share of all work that is worth it. By level, the number of its group.
@@ -90,6 +91,7 @@ bool has_graph_partition() { return true; }
 void require_graph_partition() {}
 
 std::vector<int> partition_graph(const ChunkCosts& costs, const std::vector<ChunkBorder>& borders, int ranks) {
+  if (costs.chunks() < fewest_chunks * ranks) return partition_by_level(costs, ranks);
   const std::vector<std::size_t> group = group_levels(costs);
   const std::size_t groups = *std::ranges::max_element(group) + 1;
   std::vector<idx_t> weights = vertex_weights(costs, group, groups);

@@ -1,5 +1,6 @@
 #include "sazare/levels/distribute/partition.hpp"
 
+#include <map>
 #include <random>
 
 namespace sazare::distribute {
@@ -37,25 +38,30 @@ std::vector<int> partition_at_random(Index chunks, int ranks, std::uint64_t seed
   return owner;
 }
 
-/// Pairs of parts take each other, those that have most in common first.
+/// Pairs of a part and a rank take each other, those that have most in common first; parts that are left take the ranks that are
+/// left, in order.
 std::vector<int> keep_numbers(const std::vector<int>& now, const std::vector<int>& next, int ranks) {
-  const auto n = static_cast<std::size_t>(ranks);
-  std::vector<Index> common(n * n, 0);
-  for (std::size_t chunk = 0; chunk < next.size(); ++chunk)
-    ++common[static_cast<std::size_t>(next[chunk]) * n + static_cast<std::size_t>(now[chunk])];
-  std::vector<std::size_t> pairs(n * n);
-  for (std::size_t pair = 0; pair < pairs.size(); ++pair) pairs[pair] = pair;
-  std::ranges::stable_sort(pairs, [&](std::size_t one, std::size_t other) { return common[one] > common[other]; });
-  std::vector<int> name(n, -1);
-  std::vector<bool> taken(n, false);
-  for (const std::size_t pair : pairs) {
-    const std::size_t part = pair / n, rank = pair % n;
-    if (name[part] >= 0 || taken[rank]) continue;
-    name[part] = static_cast<int>(rank);
+  std::map<std::pair<int, int>, Index> common;  // chunks by part and rank
+  for (std::size_t chunk = 0; chunk < next.size(); ++chunk) ++common[{next[chunk], now[chunk]}];
+  std::vector<std::pair<std::pair<int, int>, Index>> pairs(common.begin(), common.end());
+  std::ranges::stable_sort(pairs, [](const auto& one, const auto& other) { return one.second > other.second; });
+  constexpr int none = -1;
+  std::vector<int> rank_of(static_cast<std::size_t>(ranks), none);
+  std::vector<bool> taken(static_cast<std::size_t>(ranks), false);
+  for (const auto& [pair, chunks] : pairs) {
+    const auto part = static_cast<std::size_t>(pair.first), rank = static_cast<std::size_t>(pair.second);
+    if (rank_of[part] != none || taken[rank]) continue;
+    rank_of[part] = pair.second;
     taken[rank] = true;
   }
+  std::size_t free = 0;
+  for (int& rank : rank_of) {
+    if (rank != none) continue;
+    while (taken[free]) ++free;
+    rank = static_cast<int>(free++);
+  }
   std::vector<int> renamed(next.size());
-  for (std::size_t chunk = 0; chunk < next.size(); ++chunk) renamed[chunk] = name[static_cast<std::size_t>(next[chunk])];
+  for (std::size_t chunk = 0; chunk < next.size(); ++chunk) renamed[chunk] = rank_of[static_cast<std::size_t>(next[chunk])];
   return renamed;
 }
 

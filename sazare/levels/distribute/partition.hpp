@@ -16,8 +16,8 @@ void require_graph_partition();
 /// Every time level is cut evenly along the curve: a chunk counts for the level at which it has most to do.
 std::vector<int> partition_by_level(const ChunkCosts& costs, int ranks);
 
-/// METIS cuts the graph of chunks with few links between ranks, and shares out every time level evenly. Throws UserError where
-/// the program is built without it.
+/// METIS cuts the graph of chunks with few links between ranks, and shares out every time level evenly; where ranks would have
+/// only a few chunks each, they are cut by level. Throws UserError where the program is built without METIS.
 std::vector<int> partition_graph(const ChunkCosts& costs, const std::vector<ChunkBorder>& borders, int ranks);
 
 /// Owners drawn at random, a trial of all that ranks tell each other.

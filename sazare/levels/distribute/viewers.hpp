@@ -2,6 +2,7 @@
 
 /// Which ranks need the motion of a body that another one owns: those that have a body linked to it.
 
+#include <map>
 #include <span>
 #include <vector>
 
@@ -58,17 +59,16 @@ private:
 template <int D, class LevelOf>
 parallel::Sent Viewers::motion_of(int rank, const Owners& owners, const BorderBytes<D>& bytes, LevelOf&& active_level) const {
   parallel::Sent sum;
-  std::vector<int> finest(static_cast<std::size_t>(owners.ranks()), -1);  // by rank: level of what it sees
+  std::map<int, int> finest;  // by rank that sees something: the level of it
   for (const BodyRange& range : owners.ranges(rank))
     for (Index body = range.begin; body < range.end; ++body)
       for (const Viewer& viewer : of(body)) {
         const int level = active_level(body);
         sum.bytes += static_cast<std::int64_t>(bytes.for_viewer(viewer)) << level;
-        int& most = finest[static_cast<std::size_t>(viewer.rank)];
+        int& most = finest[viewer.rank];
         most = level > most ? level : most;
       }
-  for (const int level : finest)
-    if (level >= 0) sum.messages += std::int64_t{1} << level;
+  for (const auto& [viewer, level] : finest) sum.messages += std::int64_t{1} << level;
   return sum;
 }
 

@@ -58,6 +58,14 @@ TEST(partition, by_graph_shares_out_every_level_with_few_borders) {
   }
 }
 
+TEST(partition, by_graph_is_by_level_where_ranks_would_have_few_chunks) {
+  if (!has_graph_partition()) GTEST_SKIP() << "built without METIS";
+  const ChunkWork work = row(16);
+  const ChunkCosts costs(work, {1});
+  for (const int ranks : {5, 16, 40})
+    EXPECT_EQ(partition_graph(costs, work.borders, ranks), partition_by_level(costs, ranks)) << ranks;
+}
+
 TEST(partition, at_random_gives_every_rank_something_and_another_seed_something_else) {
   const std::vector<int> owner = partition_at_random(1000, 8, 1);
   for (int rank = 0; rank < 8; ++rank) EXPECT_GT(std::ranges::count(owner, rank), 80);
@@ -68,6 +76,9 @@ TEST(partition, at_random_gives_every_rank_something_and_another_seed_something_
 TEST(partition, parts_take_the_numbers_with_which_most_stays) {
   const std::vector<int> now = {0, 0, 0, 1, 1, 1, 2, 2, 2}, next = {2, 2, 2, 2, 0, 0, 1, 1, 1};
   EXPECT_EQ(keep_numbers(now, next, 3), (std::vector<int>{0, 0, 0, 0, 1, 1, 2, 2, 2}));
+  // Rank 0 held all, so that the parts that it does not keep take the ranks that are free, in order.
+  EXPECT_EQ(keep_numbers({0, 0, 0, 0, 0}, {3, 3, 1, 0, 3}, 4), (std::vector<int>{0, 0, 2, 1, 0}));
+  EXPECT_EQ(keep_numbers({0, 0}, {999'999, 5}, 1'000'000), (std::vector<int>{1, 0}));
 }
 
 TEST(partition, chunks_become_smaller_where_ranks_would_have_too_few) {
