@@ -29,12 +29,15 @@ concept ElasticJointLaw = requires(typename Law::template Tension<Lanes> tension
                                    Lanes number, Slip<Lanes> slip) {
   { tension.stiffness } -> std::convertible_to<Lanes>;                // below and up to `elastic_peak` [Pa/m]
   { elastic_peak(tension) } -> std::same_as<Lanes>;                   // the largest opening that leaves a joint intact [m]
+  { failure_peak(tension) } -> std::same_as<Lanes>;                   // the opening at which it bears nothing any more [m]
   { elastic_limit(tension) } -> std::same_as<Lanes>;                  // and the stress there [Pa]
   { stored_energy(tension, number, number) } -> std::same_as<Lanes>;  // by opening and stress [J/m2]
   { shear.stiffness } -> std::convertible_to<Lanes>;                  // [Pa/m]
   { slips(shear, slip, number) } -> std::same_as<LaneMask>;           // by the shear strength
   set_stiffness(tension, number);                                     // of a face that has its own; strength stays
   set_stiffness(shear, number);                                       // and likewise
+  scale_strength(tension, number, number);                            // strength, and the opening at which it is used up
+  scale_strength(shear, number, number);                              // and likewise, by slip
   tension.numbers();                                                  // all it has, as references
   shear.numbers();                                                    // and likewise
 };

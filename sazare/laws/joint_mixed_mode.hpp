@@ -49,6 +49,14 @@ void set_stiffness(SofteningShear<P>& law, P stiffness) {
   law.stiffness = stiffness;
 }
 
+/// Multiplies the strength without pressure, and the slip that uses it up by a factor of its own: the shear fracture energy by
+/// both.
+template <class P>
+void scale_strength(SofteningShear<P>& law, P factor, P of_length) {
+  law.cohesion = law.cohesion * factor;
+  law.failure_slip = law.failure_slip * of_length;
+}
+
 /// D by the two memories.
 template <class P, class T>
 T damage(const TensionParameters<P>& tension, const SofteningShear<P>& shear, T peak, T path) {

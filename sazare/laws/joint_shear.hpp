@@ -32,6 +32,12 @@ void set_stiffness(ShearParameters<P>& law, P stiffness) {
   law.stiffness = stiffness;
 }
 
+/// Multiplies the strength without pressure; it has no length of softening.
+template <class P>
+void scale_strength(ShearParameters<P>& law, P factor, P) {
+  law.cohesion = law.cohesion * factor;
+}
+
 /// Elastic tangential displacement and the slip behind it, in the two directions of the face.
 template <class T>
 struct Slip {

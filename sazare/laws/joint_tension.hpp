@@ -46,6 +46,14 @@ void set_stiffness(TensionParameters<P>& law, P stiffness) {
   law.elastic_opening = law.strength / stiffness;
 }
 
+/// Multiplies the strength, and the opening at failure by a factor of its own: the fracture energy by both.
+template <class P>
+void scale_strength(TensionParameters<P>& law, P factor, P of_length) {
+  law.strength = law.strength * factor;
+  law.elastic_opening = law.elastic_opening * factor;
+  law.failure_opening = law.failure_opening * of_length;
+}
+
 /// The largest stress [Pa] that leaves a joint intact.
 template <class P>
 P elastic_limit(const TensionParameters<P>& law) {
@@ -56,6 +64,12 @@ P elastic_limit(const TensionParameters<P>& law) {
 template <class P>
 P elastic_peak(const TensionParameters<P>& law) {
   return law.elastic_opening;
+}
+
+/// The opening [m] at which a joint bears nothing any more.
+template <class P>
+P failure_peak(const TensionParameters<P>& law) {
+  return law.failure_opening;
 }
 
 /// Whether a joint with this memory has softened.

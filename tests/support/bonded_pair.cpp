@@ -12,19 +12,25 @@ state::Bodies<3> make_bodies(const geometry::TetraMesh& mesh) {
   return runs::make_bodies(blocks, mesh, runs::materials_by_element(blocks, mesh));
 }
 
-methods::blocks::Joints make_joints(const cases::Joint& joint, const geometry::TetraMesh& mesh, const state::Bodies<3>& bodies) {
+methods::blocks::Joints make_joints(const cases::Joint& joint, Real strain_per_opening, const geometry::TetraMesh& mesh,
+                                    const state::Bodies<3>& bodies) {
   const auto map = geometry::build_face_map(mesh);
   const auto& shared = map.interior.at(0);
   methods::blocks::JointFace face{shared.element_i, shared.element_j, 0, shared.face_i, shared.face_j, {}};
   for (std::size_t corner = 0; corner < 3; ++corner)
     face.corners[corner] = mesh.nodes[static_cast<std::size_t>(shared.nodes[corner])];
-  return {{runs::make_joint_kind(joint)}, std::vector{face}, bodies};
+  if (joint.follows_rate()) face.rate = {0, strain_per_opening};
+  const std::vector kinds{runs::make_joint_kind(joint)};
+  auto rates = methods::blocks::joint_rates(methods::blocks::elastic_joints(kinds), std::vector{face}, bodies);
+  return {kinds, std::vector{face}, std::move(rates), bodies, {joint.by_rate}};
 }
 
 }  // namespace
 
-BondedPair::BondedPair(const cases::Joint& joint)
-    : bodies_(make_bodies(two_blocks())), joints_(make_joints(joint, two_blocks(), bodies_)), probe_(joints_, bodies_) {}
+BondedPair::BondedPair(const cases::Joint& joint, Real strain_per_opening)
+    : bodies_(make_bodies(two_blocks())),
+      joints_(make_joints(joint, strain_per_opening, two_blocks(), bodies_)),
+      probe_(joints_, bodies_) {}
 
 void BondedPair::place(Real n, Real s, Real t) { bodies_.motion[1].position = start() + Vector3(n, s, t); }
 

@@ -10,7 +10,8 @@ namespace sazare::test {
 
 class BondedPair {
 public:
-  explicit BondedPair(const cases::Joint& joint = concrete_joint("left", "right"));
+  /// The joint's rate law sees an opening as `strain_per_opening` [1/m] times as much strain.
+  explicit BondedPair(const cases::Joint& joint = concrete_joint("left", "right"), Real strain_per_opening = 1);
 
   /// Moves the second block from its place at the beginning: n across the face (positive opens), s and t along it.
   void place(Real n, Real s = 0, Real t = 0);

@@ -77,7 +77,7 @@ MasterCorners corners_on_master(const JointRecord& joint) {
 }  // namespace
 
 BondedFaces::BondedFaces(std::vector<ElasticJoint> kinds, std::span<const JointFace> faces, std::vector<terms::Rates> rates,
-                         const state::Bodies<3>& bodies, bool some_soften_by_slip)
+                         std::vector<laws::DynamicIncrease> rate_laws, const state::Bodies<3>& bodies, bool some_soften_by_slip)
     : elastic_(std::move(kinds)), at_face_(at(bodies.size()), {-1, -1, -1, -1}), rates_(std::move(rates)) {
   reserve_on_large_pages(records_, faces.size());
   for (const JointFace& face : faces) {
@@ -93,6 +93,9 @@ BondedFaces::BondedFaces(std::vector<ElasticJoint> kinds, std::span<const JointF
     for (const JointFace& face : faces) own_springs_.push_back(elastic_joint(elastic_, face));
   table_.causes = {terms::Cause::joint_dashpot};
   losses_.resize(faces.size());
+  std::vector<JointRate> loading;
+  for (const JointFace& face : faces) loading.push_back(face.rate);
+  by_rate_ = {std::move(rate_laws), std::move(loading)};
   if (some_soften_by_slip) {
     paths_.resize(faces.size());
     was_sheared_.resize(faces.size());
@@ -171,6 +174,7 @@ void BondedFaces::carry(Index joint, Parcel& parcel) {
   parcel(records_[at(joint)].state);
   parcel(losses_[at(joint)]);
   if (!paths_.empty()) parcel(paths_[at(joint)]);
+  by_rate_.carry(joint, parcel);
   parcel(table_[joint]);
   strain_table_.carry(joint, parcel);
 }
@@ -180,6 +184,7 @@ void BondedFaces::columns(Archive& archive) {
   archive("losses", losses_);
   archive("slip_paths", paths_);
   archive("was_sheared", was_sheared_);
+  by_rate_.columns(archive);
   archive("slots", table_.slots);
   strain_table_.columns(archive);
   archive("rates", rates_);

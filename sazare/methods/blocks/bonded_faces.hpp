@@ -47,6 +47,12 @@ public:
   /// Whether two bodies share a joint that holds.
   bool bonded(Index first, Index second) const;
 
+  /// Whether some joint has a rate law.
+  bool follow_rates() const { return by_rate_.is_used(); }
+
+  /// By how much the rate of loading has raised the strength of a joint; that of one that has softened stays.
+  Real strength_factor(Index joint) const { return by_rate_.factor(joint); }
+
   /// Joints that are cracks: broken, or sheared and pressed together.
   Index broken_count() const { return broken_count_; }
 
@@ -62,12 +68,13 @@ public:
 protected:
   /// `kinds` as they are at the beginning; `bodies` stand where the faces are given.
   BondedFaces(std::vector<ElasticJoint> kinds, std::span<const JointFace> faces, std::vector<terms::Rates> rates,
-              const state::Bodies<3>& bodies, bool some_soften_by_slip);
+              std::vector<laws::DynamicIncrease> rate_laws, const state::Bodies<3>& bodies, bool some_soften_by_slip);
 
   std::vector<JointRecord> records_;
   std::vector<MasterCorners> master_corners_;  ///< by joint; none where all bodies are rigid
   std::vector<JointLosses> losses_;
   std::vector<JointSprings> own_springs_;  ///< by joint, from the beginning on; empty where all faces have those of their kinds
+  StrengthByRate by_rate_;                 ///< not used where no joint has a rate law
   std::vector<Link> links_;
   terms::SlotTable<3, 1, terms::FixedIncidence> table_;
   terms::StrainTable<2, 1> strain_table_;

@@ -92,14 +92,11 @@ inline terms::LanePairForce face_force(const FaceGeometry& at, const LaneVector&
   return {force, add_cross(centre, force, at.axes * sums.moment)};
 }
 
-/// Evaluates joints; `failed` tells which have. A face that fails has no force any more. `path` is that of slip, which only a law that
-/// softens by it reads.
+/// Evaluates joints where their faces are; `failed` tells which have. A face that fails has no force any more.
 template <class Law>
-JointForce evaluate(const LaneJoints<JointRecord>& joints, const JointParameters<Law, Lanes>& kind, const LaneVector& path,
+JointForce evaluate(FaceGeometry& at, const JointParameters<Law, Lanes>& kind,
                     const LanePointers<const state::Motion<3>>& masters, const LanePointers<const state::Motion<3>>& slaves,
                     const Vector3& pole, LaneMask& failed, JointChange& change) {
-  FaceGeometry at = face_geometry(joints, masters, slaves);
-  if constexpr (laws::SoftensBySlip<Law>) at.path = path;
   const FaceSums held = springs(kind, at, failed, change);
   const FaceSums damped = dashpots(kind, at, failed, state::load_velocities(masters), state::load_velocities(slaves));
   const LaneVector centre = at.master - broadcast(pole);

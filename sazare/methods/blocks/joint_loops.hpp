@@ -24,8 +24,9 @@ inline constexpr std::size_t batches_ahead = 4;    // memory answers after some 
 
 template <class Laws>
 JointsOf<Laws>::JointsOf(const std::vector<Kind>& kinds, std::span<const JointFace> faces, std::vector<terms::Rates> rates,
-                         const state::Bodies<3>& bodies)
-    : BondedFaces(elastic_joints(kinds), faces, std::move(rates), bodies, some_soften_by_slip(kinds)), kinds_(kinds) {
+                         const state::Bodies<3>& bodies, std::vector<laws::DynamicIncrease> rate_laws)
+    : BondedFaces(elastic_joints(kinds), faces, std::move(rates), std::move(rate_laws), bodies, some_soften_by_slip(kinds)),
+      kinds_(kinds) {
   for (const JointFace& face : faces) kinds_.use(face.kind);
 }
 
@@ -85,11 +86,11 @@ template <class Law>
   }
   JointChange change;
   LaneMask failed;
-  LaneVector path;
   const auto joint_of = [&](std::size_t lane) { return in_lanes[lane].link; };
-  if constexpr (laws::SoftensBySlip<Law>) path = load_paths(joint_of);
-  const JointForce force = blocks::evaluate(LaneJoints<JointRecord>{records}, parameters(kinds, records, joint_of), path, masters,
-                                            slaves, bodies.pole, failed, change);
+  FaceGeometry at_face = face_geometry(LaneJoints<JointRecord>{records}, masters, slaves);
+  if constexpr (laws::SoftensBySlip<Law>) at_face.path = load_paths(joint_of);
+  const auto& kind = present_parameters(kinds, now, due, records, joint_of, at_face);
+  const JointForce force = blocks::evaluate(at_face, kind, masters, slaves, bodies.pole, failed, change);
   terms::write(slots, now, in_lanes, force.total, force.dashpots, failed);
   if (change.has_happened) note_changes<Law>(records, due, change);
 }
@@ -118,12 +119,14 @@ template <class Law>
   }
   JointChange change;
   LaneMask failed;
-  LaneVector path;
   const auto joint_of = [&](std::size_t lane) { return in_lanes[lane].link; };
-  if constexpr (laws::SoftensBySlip<Law>) path = load_paths(joint_of);
+  const LaneJoints<JointRecord> joints{records};
+  FaceGeometry at_face = face_geometry(joints, masters, slaves);
+  const StrainedFace strained = strain_face(joints, corners, load_strain(master_strains), load_strain(slave_strains), at_face);
+  if constexpr (laws::SoftensBySlip<Law>) at_face.path = load_paths(joint_of);
+  const auto& kind = present_parameters(kinds, now, due, records, joint_of, at_face);
   const StrainedJointForce found =
-      blocks::evaluate_strained(LaneJoints<JointRecord>{records}, corners, parameters(kinds, records, joint_of), path, masters,
-                                slaves, {load_strain(master_strains), load_strain(slave_strains)}, bodies.pole, failed, change);
+      blocks::evaluate_strained(at_face, strained, kind, masters, slaves, bodies.pole, failed, change);
   terms::write(strain_slots, slots, side_by_side(found.total), side_by_side(found.dashpots), failed);
   terms::write(slots, now, in_lanes, found.force.total, found.force.dashpots, failed);
   if (change.has_happened) note_changes<Law>(records, due, change);
@@ -148,6 +151,57 @@ const JointParameters<Law, Lanes>& JointsOf<Laws>::parameters(const KindsOfLaw<L
   of_faces = kinds.of(records);
   set_springs(of_faces, [&](std::size_t lane) -> const JointSprings& { return own_springs_[at(joint_of(lane))]; });
   return of_faces;
+}
+
+/// Parameters of each lane at this evaluation: where joints have rate laws, with the strength of their rate.
+template <class Laws>
+template <class Law, class JointOfLane>
+const JointParameters<Law, Lanes>& JointsOf<Laws>::present_parameters(const KindsOfLaw<Law>& kinds, const Instant& now,
+                                                                      std::span<const Due> due,
+                                                                      const LanePointers<JointRecord>& records,
+                                                                      const JointOfLane& joint_of, FaceGeometry& at_face) {
+  const JointParameters<Law, Lanes>& of_case = parameters(kinds, records, joint_of);
+  if (!by_rate_.is_used()) return of_case;
+  take_rates(of_case, now, due, at_face);
+  return strengthened(of_case, records, joint_of, at_face);
+}
+
+/// Lets the joints that are intact have the strength of the rate at which they are loaded.
+template <class Laws>
+template <class Law>
+void JointsOf<Laws>::take_rates(const JointParameters<Law, Lanes>& of_case, const Instant& now, std::span<const Due> due,
+                                const FaceGeometry& at_face) {
+  for (std::size_t n = 0; n < due.size(); ++n) {
+    const Index joint = due[n].link;
+    if (!by_rate_.has(joint) || state(joint) != JointState::intact) continue;
+    const auto lane = static_cast<int>(n);
+    const Real opening = std::max({at_face.opening[0][lane], at_face.opening[1][lane], at_face.opening[2][lane]});
+    by_rate_.follow(joint, now.seconds(), opening, elastic_peak(of_case.tension)[lane], failure_peak(of_case.tension)[lane]);
+  }
+}
+
+/// Parameters with the strength of the rate of loading, until the next call in this thread. What an intact joint remembers begins
+/// with the opening at which that strength is reached.
+template <class Laws>
+template <class Law, class Record, class JointOfLane>
+const JointParameters<Law, Lanes>& JointsOf<Laws>::strengthened(const JointParameters<Law, Lanes>& of_case,
+                                                                const LanePointers<Record>& records, const JointOfLane& joint_of,
+                                                                FaceGeometry& at_face) const {
+  thread_local JointParameters<Law, Lanes> of_rate;
+  of_rate = of_case;
+  Lanes factor, of_length;
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    factor[static_cast<int>(lane)] = by_rate_.factor(joint_of(lane));
+    of_length[static_cast<int>(lane)] = by_rate_.length_factor(joint_of(lane));
+  }
+  scale_strength(of_rate.tension, factor, of_length);
+  scale_strength(of_rate.shear, factor, of_length);
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    if (records[lane]->state != JointState::intact) continue;
+    const auto i = static_cast<int>(lane);
+    for (int v = 0; v < vertex_count; ++v) at_face.peak[v][i] = elastic_peak(of_rate.tension)[i];
+  }
+  return of_rate;
 }
 
 /// Paths of slip of the joints that `joint_of` names by lane.
@@ -229,7 +283,7 @@ template <class Law>
     master_ahead[lane] = &synchronized.ahead[at(records[lane]->master)];
     slave_ahead[lane] = &synchronized.ahead[at(records[lane]->slave)];
   }
-  const auto& kind = parameters(kinds, records, joint_of);
+  const auto& of_case = parameters(kinds, records, joint_of);
   const LaneJoints<const JointRecord> joints{records};
   FaceGeometry at_face = face_geometry(joints, masters, slaves);
   Lanes dashpots_after = terms::work_after(slots, master_ahead, slave_ahead);
@@ -245,6 +299,7 @@ template <class Law>
     }
     strain_face(joints, corners, load_strain(master_strains), load_strain(slave_strains), at_face);
   }
+  const auto& kind = by_rate_.is_used() ? strengthened(of_case, records, joint_of, at_face) : of_case;
   Lanes fracture{};  // a law that softens by slip has it among its losses
   if constexpr (laws::SoftensBySlip<Law>)
     at_face.path = load_paths(joint_of);

@@ -6,6 +6,7 @@
 
 namespace sazare::methods::blocks {
 
+struct FaceGeometry;
 struct JointChange;
 
 /// Joints of the laws of a list. The kernel is made for each law; where the joints of a run have more than one, those of each are
@@ -18,9 +19,9 @@ public:
   /// `bodies` stand where the faces are given.
   JointsOf(const std::vector<Kind>& kinds, std::span<const JointFace> faces, const state::Bodies<3>& bodies)
       : JointsOf(kinds, faces, joint_rates(elastic_joints(kinds), faces, bodies), bodies) {}
-  /// With the rates that `joint_rates` has found.
+  /// With the rates that `joint_rates` has found, and the rate laws that faces name.
   JointsOf(const std::vector<Kind>& kinds, std::span<const JointFace> faces, std::vector<terms::Rates> rates,
-           const state::Bodies<3>& bodies);
+           const state::Bodies<3>& bodies, std::vector<laws::DynamicIncrease> rate_laws = {});
 
   void evaluate(const Instant& now, std::span<const Due> due, const state::Bodies<3>& bodies) override;
   void add_energies(const terms::Synchronized<3>& at, terms::EnergySums& energies) const override;
@@ -42,6 +43,16 @@ private:
   template <class Law, class Record, class JointOfLane>
   const JointParameters<Law, Lanes>& parameters(const KindsOfLaw<Law>& kinds, const LanePointers<Record>& records,
                                                 const JointOfLane& joint_of) const;
+  template <class Law, class JointOfLane>
+  const JointParameters<Law, Lanes>& present_parameters(const KindsOfLaw<Law>& kinds, const Instant& now,
+                                                        std::span<const Due> due, const LanePointers<JointRecord>& records,
+                                                        const JointOfLane& joint_of, FaceGeometry& at_face);
+  template <class Law>
+  void take_rates(const JointParameters<Law, Lanes>& of_case, const Instant& now, std::span<const Due> due,
+                  const FaceGeometry& at_face);
+  template <class Law, class Record, class JointOfLane>
+  const JointParameters<Law, Lanes>& strengthened(const JointParameters<Law, Lanes>& of_case, const LanePointers<Record>& records,
+                                                  const JointOfLane& joint_of, FaceGeometry& at_face) const;
   static void remember(const LanePointers<JointRecord>& records, const JointChange& change);
   void add_work(std::span<const Due> due, const JointChange& change);
   template <class JointOfLane>

@@ -33,6 +33,26 @@ wave_ramp = 8
           water + "waves = \"table\"\nwave_file = \"waves.csv\"\n"};
 }
 
+/// The smallest case with its stiffness by Young's modulus.
+std::string elastic_case() {
+  std::string text = replaced(smallest_case(), "density = 2700", "density = 2700\nyoungs_modulus = 36e9\npoisson_ratio = 0.2");
+  for (const std::string key : {"joint_normal_stiffness", "joint_shear_stiffness"}) {
+    const auto begin = text.find(key + " = ");
+    text.erase(begin, text.find('\n', begin) + 1 - begin);
+  }
+  return text;
+}
+
+/// Each rate law with what it takes; a rate law needs Young's modulus, beside which the full case could not give stiffnesses.
+std::array<std::string, 3> rate_cases() {
+  const auto with = [](const std::string& law) {
+    return replaced(elastic_case(), "cohesion = ", "rate_energy_exponent = 0.5\nrate_law = " + law + "\ncohesion = ");
+  };
+  return {with("\"malvar_ross\"\nstatic_compressive_strength = 30e6"),
+          with("\"cowper_symonds\"\nrate_scale = 10\nrate_exponent = 3"),
+          with("\"logarithmic\"\nrate_scale = 1e-3\nrate_slope = 0.1")};
+}
+
 /// Every number of a case is written in as many digits as it needs, so equal texts mean equal cases.
 void expect_round_trip(const CaseFolder& folder, const std::string& text) {
   const BlocksCase first = folder.read(text).as<cases::BlocksCase>();
@@ -75,11 +95,7 @@ bool is_other_way(std::string_view key) {
 /// What a run writes in its folder is read again by `--resume`, so that it must be a case for the other way as well.
 TEST(Resolved, ReadsBackWithElasticityAndDampingByTheOtherWay) {
   const CaseFolder folder;
-  std::string text = replaced(smallest_case(), "density = 2700", "density = 2700\nyoungs_modulus = 36e9\npoisson_ratio = 0.2");
-  for (const std::string key : {"joint_normal_stiffness", "joint_shear_stiffness"}) {
-    const auto begin = text.find(key + " = ");
-    text.erase(begin, text.find('\n', begin) + 1 - begin);
-  }
+  const std::string text = elastic_case();
   expect_round_trip(folder, replaced(text, "cohesion = ", "damping_ratio = 0.02\ncohesion = "));
   expect_round_trip(folder,
                     replaced(text, "poisson_ratio = 0.2", "poisson_ratio = 0.48\ndeformable = true\nbulk_damping_ratio = 0.1"));
@@ -91,10 +107,16 @@ TEST(Resolved, ReadsBackWithWater) {
   for (const std::string& text : wet_cases()) expect_round_trip(folder, text);
 }
 
+TEST(Resolved, ReadsBackWithRateLaws) {
+  const CaseFolder folder;
+  for (const std::string& text : rate_cases()) expect_round_trip(folder, text);
+}
+
 TEST(Resolved, HoldsEveryKey) {
   const CaseFolder folder;
   std::string text = "\n" + write_resolved(folder.read(full_case()).as<cases::BlocksCase>());
   for (const std::string& wet : wet_cases()) text += write_resolved(folder.read(wet).as<cases::BlocksCase>());
+  for (const std::string& of_rate : rate_cases()) text += write_resolved(folder.read(of_rate).as<cases::BlocksCase>());
   for (const Table& table : blocks_schema()) {
     for (const Key& key : table.keys) {
       if (is_other_way(key.name)) continue;

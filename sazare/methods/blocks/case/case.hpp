@@ -14,6 +14,7 @@
 #include "sazare/cases/water/table.hpp"
 #include "sazare/laws/block_elasticity.hpp"
 #include "sazare/laws/deformable_block.hpp"
+#include "sazare/laws/dynamic_increase.hpp"
 #include "sazare/laws/explosives.hpp"
 #include "sazare/laws/joint_laws.hpp"
 #include "sazare/laws/linear_stress.hpp"
@@ -75,6 +76,7 @@ struct Joint {
   laws::JointLawParameters law_parameters;
   std::optional<Real> weibull_modulus = std::nullopt;  // without it all faces have the same strength
   int scatter_seed = 1;
+  laws::DynamicIncrease by_rate;  // of tensile strength, cohesion and both fracture energies
 
   /// The value of a parameter of its law, by name.
   const std::optional<Real>& law_parameter(std::string_view parameter) const {
@@ -90,6 +92,7 @@ struct Joint {
 
   bool on_surface() const { return !surface.empty(); }
   bool has_stiffness() const { return normal_stiffness && shear_stiffness; }
+  bool follows_rate() const { return bonded && by_rate.law != laws::RateLawName::none; }
   /// Whether each of its faces has springs or dashpots that depend on the elements beside it.
   bool depends_on_elements() const { return bonded && (!has_stiffness() || damping_ratio); }
 };

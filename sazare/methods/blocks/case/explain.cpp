@@ -88,6 +88,12 @@ void explain_joint(Explanation& text, const Joint& joint) {
     text.more(fmt::format("strengths and energies scatter: Weibull modulus {}, {} to {} times these, seed {}",
                           number(*joint.weibull_modulus), number(factors.front()), number(factors.back()), joint.scatter_seed));
   }
+  if (joint.follows_rate())
+    text.more(
+        fmt::format("strengths grow with the strain rate, {}: times {} at 1/s, {} at 10/s, {} at 100/s; energies by the power {} "
+                    "of that",
+                    word(joint.by_rate.law), number(joint.by_rate.factor(1)), number(joint.by_rate.factor(10)),
+                    number(joint.by_rate.factor(100)), number(joint.by_rate.energy_exponent)));
   explain_law(text, joint);
   const std::string springs = joint.has_stiffness() ? fmt::format("springs {} and {} Pa/m", number(*joint.normal_stiffness),
                                                                   number(*joint.shear_stiffness))

@@ -13,6 +13,11 @@ struct EnumWords<JointLawName> {
 };
 
 template <>
+struct EnumWords<laws::RateLawName> {
+  static constexpr auto& words = laws::words_of_laws<laws::RateLaws>;
+};
+
+template <>
 struct EnumWords<DampingCap> {
   static constexpr std::array<std::string_view, 3> words{"literal", "critical", "step"};
 };
@@ -90,6 +95,10 @@ void visit_fields(Visitor& visit, Joint& joint) {
   visit("fracture_energy", joint.fracture_energy);
   for (std::size_t n = 0; n < joint.law_parameters.size(); ++n)
     visit(laws::parameters_of_laws<laws::JointLaws>[n].name, joint.law_parameters[n]);
+  visit("rate_law", joint.by_rate.law);
+  for (std::size_t n = 0; n < joint.by_rate.parameters.size(); ++n)
+    visit(laws::parameters_of_laws<laws::RateLaws>[n].name, joint.by_rate.parameters[n]);
+  if (visit.has("rate_energy_exponent", joint.follows_rate())) visit("rate_energy_exponent", joint.by_rate.energy_exponent);
   if (!visit.has("weibull_modulus", joint.weibull_modulus.has_value())) return;
   visit("weibull_modulus", joint.weibull_modulus);
   visit("scatter_seed", joint.scatter_seed);

@@ -12,7 +12,9 @@
 namespace sazare::cases {
 namespace {
 
-constexpr std::array<std::string_view, 13> bond_keys{"law",
+constexpr std::array<std::string_view, 15> bond_keys{"law",
+                                                     "rate_law",
+                                                     "rate_energy_exponent",
                                                      "joint_normal_stiffness",
                                                      "joint_shear_stiffness",
                                                      "joint_normal_damping",
@@ -32,7 +34,8 @@ constexpr std::array<std::string_view, 2> stiffness_keys{"joint_normal_stiffness
 bool is_bond_key(std::string_view key) {
   const auto has_name = [&](const laws::LawParameter& parameter) { return parameter.name == key; };
   return std::ranges::find(bond_keys, key) != bond_keys.end() ||
-         std::ranges::any_of(laws::parameters_of_laws<laws::JointLaws>, has_name);
+         std::ranges::any_of(laws::parameters_of_laws<laws::JointLaws>, has_name) ||
+         std::ranges::any_of(laws::parameters_of_laws<laws::RateLaws>, has_name);
 }
 
 std::string header_of(const Entry& entry) { return table_header(*entry.table); }
@@ -93,18 +96,40 @@ void check_strength(const CheckContext& context, const Entry& entry, const Joint
                   rounded(strength * strength / (2 * stiffness), +1)));
 }
 
-/// What the law of a joint takes beside stiffness and strength is given, and what only others take is not.
-void check_law_parameters(const CheckContext& context, const Entry& entry, const Joint& joint) {
-  laws::visit_joint_law(joint.law, [&]<class Law>(Law) {
+/// What the law of a list that is chosen takes beside what all take is given, and what only others take is not.
+template <class Laws, class Name>
+void check_parameters_of(const CheckContext& context, const Entry& entry, std::string_view key, Name chosen) {
+  laws::visit_law_at<Laws>(static_cast<std::size_t>(chosen), [&]<class Law>(Law) {
     std::vector<std::string_view> needed, foreign;
-    for (const laws::LawParameter& parameter : laws::parameters_of_laws<laws::JointLaws>) {
+    for (const laws::LawParameter& parameter : laws::parameters_of_laws<Laws>) {
       if (!laws::takes<Law>(parameter.name))
         foreign.push_back(parameter.name);
       else if (!parameter.may_be_absent)
         needed.push_back(parameter.name);
     }
-    check_keys(context, entry, fmt::format("law {}", Law::word), needed, foreign);
+    check_keys(context, entry, fmt::format("{} {}", key, Law::word), needed, foreign);
   });
+}
+
+/// Stress becomes strain by Young's modulus, and a strain rate is what a rate law asks for.
+void check_rate_law(const CheckContext& context, const Entry& entry, const Joint& joint, const BlocksCase& blocks) {
+  if (!entry.is_sound("rate_law")) return;
+  check_parameters_of<laws::RateLaws>(context, entry, "rate_law", joint.by_rate.law);
+  if (!joint.follows_rate()) {
+    if (entry.has("rate_energy_exponent"))
+      context.problems.error(entry.place("rate_energy_exponent"), "rate_energy_exponent without a rate_law",
+                             "choose a rate_law, or remove rate_energy_exponent");
+    return;
+  }
+  for (const Material& material : blocks.materials) {
+    const bool is_beside = joint.on_surface() || std::ranges::find(joint.between, material.name) != joint.between.end();
+    if (!is_beside || material.youngs_modulus) continue;
+    context.problems.error(
+        entry.place("rate_law"),
+        fmt::format("rate_law needs the strain rate, but the material \"{}\" has no youngs_modulus", material.name),
+        "give the material youngs_modulus and poisson_ratio, or take rate_law = \"none\"");
+    return;
+  }
 }
 
 /// What the numbers of a law must fulfil together; a law with no more conditions than its keys have is content with this one.
@@ -222,7 +247,8 @@ void check_bonded(const CheckContext& context, const Entry& entry, const Joint& 
   if (entry.has("scatter_seed") && !entry.has("weibull_modulus"))
     context.problems.error(entry.place("scatter_seed"), "scatter_seed without weibull_modulus",
                            "add weibull_modulus, with which strengths scatter, or remove scatter_seed");
-  if (entry.is_sound("law")) check_law_parameters(context, entry, joint);
+  if (entry.is_sound("law")) check_parameters_of<laws::JointLaws>(context, entry, "law", joint.law);
+  check_rate_law(context, entry, joint, blocks);
   laws::visit_joint_law(joint.law, [&](auto law) { check_numbers_of(law, context, entry, joint); });
   if (entry.gives("tensile_strength") && entry.gives("fracture_energy") && entry.gives("joint_normal_stiffness"))
     check_strength(context, entry, joint);

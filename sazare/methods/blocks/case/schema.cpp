@@ -171,7 +171,27 @@ constexpr std::array leading_joint_keys{
         .sentence = "Seed of the random strength factors of the faces."},
 };
 
-constexpr auto joint_keys = joined(leading_joint_keys, keys_of_laws<laws::JointLaws>());
+constexpr std::array rate_keys{
+    Key{.name = "rate_law",
+        .type = Type::choice,
+        .default_text = "\"none\"",
+        .sentence =
+            "How tensile strength, cohesion and fracture energies grow with the rate of strain at which the joint is opened: "
+            "not, as "
+            "the fib Model Code 2010 or Malvar and Ross have it for concrete, or by a power or the logarithm of the rate.",
+        .choices = laws::words_of_laws<laws::RateLaws>},
+    Key{.name = "rate_energy_exponent",
+        .type = Type::number,
+        .range = {.low = 0, .high = 2},
+        .default_text = "1.0",
+        .note = "only with a rate_law",
+        .sentence = "Power of the factor on the strength that fracture energies have: 0, they do not depend on the rate; 1, they "
+                    "grow as the "
+                    "strength; 2, the process zone of a crack keeps its length."},
+};
+
+constexpr auto joint_keys =
+    joined(leading_joint_keys, keys_of_laws<laws::JointLaws>(), rate_keys, keys_of_laws<laws::RateLaws>());
 
 constexpr std::array contact_keys{
     Key{.name = "contact_shape",

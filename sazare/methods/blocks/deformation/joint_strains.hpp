@@ -111,16 +111,12 @@ struct StrainedJointForce {
   LaneStrainForces total, dashpots;
 };
 
-/// As `evaluate` of rigid bodies; `strains` of the masters and slaves.
+/// As `evaluate` of rigid bodies, with what strains do at the faces.
 template <class Law>
-StrainedJointForce evaluate_strained(const LaneJoints<JointRecord>& joints, const LanePointers<const MasterCorners>& corners,
-                                     const JointParameters<Law, Lanes>& kind, const LaneVector& path,
+StrainedJointForce evaluate_strained(FaceGeometry& at, const StrainedFace& face, const JointParameters<Law, Lanes>& kind,
                                      const LanePointers<const state::Motion<3>>& masters,
-                                     const LanePointers<const state::Motion<3>>& slaves, const std::array<LaneStrain, 2>& strains,
-                                     const Vector3& pole, LaneMask& failed, JointChange& change) {
-  FaceGeometry at = face_geometry(joints, masters, slaves);
-  const StrainedFace face = strain_face(joints, corners, strains[0], strains[1], at);
-  if constexpr (laws::SoftensBySlip<Law>) at.path = path;
+                                     const LanePointers<const state::Motion<3>>& slaves, const Vector3& pole, LaneMask& failed,
+                                     JointChange& change) {
   VertexForces total = spring_forces(kind, at, failed, change);
   const VertexForces damped =
       vertex_dashpots(kind, at, face, failed, state::load_velocities(masters), state::load_velocities(slaves));

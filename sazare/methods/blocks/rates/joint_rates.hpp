@@ -10,6 +10,7 @@
 
 #include "sazare/levels/terms/term.hpp"
 #include "sazare/methods/blocks/joint_kinds.hpp"
+#include "sazare/methods/blocks/strength_by_rate.hpp"
 #include "sazare/state/bodies.hpp"
 
 namespace sazare::methods::blocks {
@@ -23,6 +24,7 @@ struct JointFace {
   int slave_face = 0;
   std::array<Vector3, 3> corners;                  ///< counter-clockwise seen from outside the master [m]
   std::optional<JointSprings> own = std::nullopt;  ///< instead of the springs and dashpots of its kind
+  JointRate rate = {};                             ///< how its strength follows the rate of loading
   std::array<Vector3, 3> traction = {Vector3::Zero(), Vector3::Zero(), Vector3::Zero()};  ///< initial, on the master [Pa]
 };
 

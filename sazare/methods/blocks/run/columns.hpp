@@ -106,7 +106,10 @@ inline constexpr std::array joints = {
     Column{"opening", "m", "largest of its corners"},
     Column{"slip", "m", "largest of its corners"},
     Column{"kind", "-", "number in the case"},
-    Column{"strength_factor", "-", "strength over that of the case, where strengths scatter; else 1"}};
+    Column{
+        "strength_factor", "-",
+        "strength over that of the case, where strengths scatter or follow the rate of strain: that of a joint that has softened "
+        "stays; else 1"}};
 
 /// In the manifest, `results` by name: an interface, which scripts of users read.
 inline constexpr std::array figures = {
@@ -116,6 +119,8 @@ inline constexpr std::array figures = {
     Column{"explosive_work", "J", "done by the gas of charges; where there are charges"},
     Column{"broken_joints", "-", "cracks, also those whose faces are pressed together"},
     Column{"broken_in_shear", "-", "of these, the ones in which slip has dissipated more than opening"},
+    Column{"dynamic_increase", "-",
+           "mean factor by which the rate of strain has raised the strength of cracks; where a joint has a rate law"},
     Column{"fragments", "-", ""},
     Column{"largest_fragment_volume", "m3", ""},
     Column{"detached_fragments", "-", "without those that stay, see `stays` of fragments.csv"},

@@ -12,6 +12,7 @@
 #include "sazare/methods/blocks/run/blasting/charges.hpp"
 #include "sazare/methods/blocks/run/joints/deformable_elements.hpp"
 #include "sazare/methods/blocks/run/joints/element_springs.hpp"
+#include "sazare/methods/blocks/run/joints/loading_rates.hpp"
 #include "sazare/methods/blocks/run/parts.hpp"
 #include "sazare/methods/blocks/run/water.hpp"
 
@@ -114,6 +115,7 @@ private:
   void make_joints(const MeshFaces& faces, std::vector<methods::blocks::JointFace> joint_faces, Real whole) {
     add_own_springs(blocks_, model_.material, bodies_, joint_faces);
     model_.fit.softest_of_joint = find_softest_faces(blocks_, bodies_, joint_faces);
+    auto rate_laws = add_loading_rates(blocks_, model_.material, joint_faces);
     model_.kinds = scatter_strengths(blocks_, model_.mesh, joint_faces);
     model_.fit.overstressed = find_overstressed(blocks_, model_.kinds, joint_faces);
     const auto& kinds = model_.kinds.kinds;
@@ -127,8 +129,8 @@ private:
     for (const terms::Rates& rates : joint_rates) steps.push_back(blocks_.time.stability_fraction * levels::stable_step(rates));
     base_step_ = blocks_.time.base_step.value_or(choose_base_step(steps, joint_faces, whole));
     if (blocks_.time.limiter == cases::Limiter::stability) sort_by_level(joint_faces, steps, base_step_);
-    model_.joints =
-        keep(terms_, std::make_unique<methods::blocks::Joints>(kinds, joint_faces, std::move(joint_rates), bodies_));
+    model_.joints = keep(terms_, std::make_unique<methods::blocks::Joints>(kinds, joint_faces, std::move(joint_rates), bodies_,
+                                                                           std::move(rate_laws)));
     if (!bodies_.strain.empty())
       model_.elements = keep(terms_, std::make_unique<methods::blocks::Elements>(
                                          make_elements(blocks_, faces, model_.material, bodies_, joint_faces), bodies_));

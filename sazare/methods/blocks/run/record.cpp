@@ -197,6 +197,14 @@ std::int64_t broken_in_shear(const methods::blocks::Joints& joints) {
   return count;
 }
 
+/// Of the strength of cracks by the rate of loading; 1 where there are none.
+Real mean_strength_factor(const methods::blocks::Joints& joints) {
+  Real sum = 0;
+  for (Index joint = 0; joint < joints.count(); ++joint)
+    if (is_crack(joints.state(joint))) sum += joints.strength_factor(joint);
+  return joints.broken_count() > 0 ? sum / static_cast<Real>(joints.broken_count()) : 1;
+}
+
 }  // namespace
 
 std::vector<std::pair<std::string, observe::Figure>> RunRecord::results(std::int64_t step, Real wall_seconds) {
@@ -224,6 +232,7 @@ std::vector<std::pair<std::string, observe::Figure>> RunRecord::results(std::int
   for (std::size_t i = 0; i < balance.joules.size(); ++i)
     results.emplace_back(columns::blocks::energies[i].name, balance.joules[i]);
   results.emplace_back("energy_residual", balance.residual());
+  if (model_->joints->follow_rates()) results.emplace_back("dynamic_increase", mean_strength_factor(*model_->joints));
   if (model_->charges != nullptr) {
     Real released = 0, work = 0;
     for (const methods::blocks::ChargeState& charge : charge_states(clocks_.time(step))) {

@@ -209,7 +209,8 @@ void Snapshots::write_joints(const Picture& picture) {
   const CaseKinds& kinds = model_->kinds;
   const auto kind_of = [&](Index joint) { return at(model_->joints->record(joint).kind); };
   const auto kind = made<std::int32_t>(count, [&](Index joint) { return kinds.entry[kind_of(joint)]; });
-  const auto factor = made<Real>(count, [&](Index joint) { return kinds.factor[kind_of(joint)]; });
+  const auto factor =
+      made<Real>(count, [&](Index joint) { return kinds.factor[kind_of(joint)] * model_->joints->strength_factor(joint); });
   observe::Grid grid{observe::Grid::Cell::triangle, {}, {}, {}, picture.time};
   grid.own_points = points;
   grid.cell_data = observe::cell_data(columns::blocks::joints, state, mode, gaps.opening, gaps.slip, kind, factor);

@@ -1,0 +1,31 @@
+#include "sazare/methods/blocks/strength_by_rate.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace sazare::methods::blocks {
+
+StrengthByRate::StrengthByRate(std::vector<laws::DynamicIncrease> laws, std::vector<JointRate> joints)
+    : laws_(std::move(laws)), joints_(std::move(joints)) {
+  if (std::ranges::any_of(joints_, [](const JointRate& joint) { return joint.law >= 0; })) memory_.resize(joints_.size());
+}
+
+void StrengthByRate::follow(Index joint, Real seconds, Real opening, Real elastic_opening, Real failure_opening) {
+  const auto& [law, strain_per_opening] = joints_[at(joint)];
+  Memory& memory = memory_[at(joint)];
+  if (opening < 0.5 * elastic_opening || seconds <= memory.time) {
+    memory = {seconds, opening, 1};
+    return;
+  }
+  const Real rate = strain_per_opening * (opening - memory.opening) / (seconds - memory.time);
+  const laws::DynamicIncrease& increase = laws_[at(law)];
+  memory.factor = std::max<Real>(1, std::min(increase.factor(rate), increase.largest_factor(failure_opening / elastic_opening)));
+}
+
+void StrengthByRate::carry(Index joint, Parcel& parcel) {
+  if (is_used()) parcel(memory_[at(joint)]);
+}
+
+void StrengthByRate::columns(Archive& archive) { archive("strength_by_rate", memory_); }
+
+}  // namespace sazare::methods::blocks
