@@ -13,7 +13,8 @@ StrengthByRate::StrengthByRate(std::vector<laws::DynamicIncrease> laws, std::vec
 void StrengthByRate::follow(Index joint, Real seconds, Real opening, Real elastic_opening, Real failure_opening) {
   const auto& [law, strain_per_opening] = joints_[at(joint)];
   Memory& memory = memory_[at(joint)];
-  if (opening < 0.5 * elastic_opening || seconds <= memory.time) {
+  const bool is_first = seconds <= memory.time || memory.time < 0;  // below 0 bodies still come to rest
+  if (opening < 0.5 * elastic_opening || is_first) {
     memory = {seconds, opening, 1};
     return;
   }

@@ -161,5 +161,13 @@ TEST(StrengthByRate, begins_anew_where_the_joint_stands_when_the_run_begins) {
   EXPECT_EQ(by_rate.factor(0), 1);
 }
 
+TEST(StrengthByRate, begins_anew_when_time_begins) {
+  StrengthByRate by_rate({{laws::RateLawName::fib_2010, {}}}, {{0, 1e3}});
+  by_rate.follow(0, -1e9, 0.6e-3, 1e-3, 1);  // while bodies come to rest
+  by_rate.follow(0, 0, 0.6e-3, 1e-3, 1);
+  by_rate.follow(0, 0.1, 0.7e-3, 1e-3, 1);
+  EXPECT_DOUBLE_EQ(by_rate.factor(0), laws::FibIncrease::factor(1, {}));
+}
+
 }  // namespace
 }  // namespace sazare::methods::blocks
