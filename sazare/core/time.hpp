@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "sazare/core/vector.hpp"
 
@@ -19,8 +20,12 @@ constexpr std::size_t at(Index index) { return static_cast<std::size_t>(index); 
 struct Instant {
   Tick tick = 0;
   Real tick_seconds = 0;  ///< length of a tick [s]
+  Tick start = 0;         ///< the tick at which time is 0; `not_begun` while bodies still come to rest
 
-  Real seconds() const { return static_cast<Real>(tick) * tick_seconds; }
+  static constexpr Tick not_begun = std::numeric_limits<Tick>::max();
+  bool has_begun() const { return tick >= start; }
+  /// Long before 0 as long as time has not begun: what acts from a time on does not act yet.
+  Real seconds() const { return static_cast<Real>(tick - start) * tick_seconds; }
   Real seconds_since(Tick earlier) const { return static_cast<Real>(tick - earlier) * tick_seconds; }
 };
 

@@ -228,7 +228,7 @@ void LevelKeeper<D>::choose_levels(const state::Bodies<D>& bodies) {
   for (auto& clock : clocks_) clock.sort();
   const bool travels = rules_.travel_length < std::numeric_limits<Real>::infinity();
   if (!stale_ && !travels) return;
-  std::vector<std::int8_t> wanted = by_rates_;
+  std::vector<std::int8_t> wanted = relaxes_ ? std::vector<std::int8_t>(by_rates_.size(), 0) : by_rates_;
   if (travels)
     for (Index body = 0; body < bodies.size(); ++body)
       wanted[at(body)] =
@@ -290,9 +290,15 @@ void LevelKeeper<D>::apply(std::size_t term, const terms::Changes& changes, Tick
   for (const Index body : changes.softer) by_rates_[at(body)] = static_cast<std::int8_t>(wanted_by_rates(body));
   for (const Index body : changes.stiffer) {
     by_rates_[at(body)] = static_cast<std::int8_t>(wanted_by_rates(body));
-    ask(body, by_rates_[at(body)]);
+    if (!relaxes_) ask(body, by_rates_[at(body)]);
   }
   stale_ = stale_ || !changes.softer.empty() || !changes.stiffer.empty() || !changes.new_links.empty();
+}
+
+template <int D>
+void LevelKeeper<D>::look_again(std::span<const Index> bodies) {
+  for (const Index body : bodies) by_rates_[at(body)] = static_cast<std::int8_t>(wanted_by_rates(body));
+  stale_ = true;
 }
 
 template <int D>

@@ -62,6 +62,22 @@ public:
   /// Follows what a term has changed.
   void apply(std::size_t term, const terms::Changes& changes, Tick now);
 
+  /// At a base step: all forces act from now on, as at a beginning.
+  void restart(Tick now) {
+    for (schedule::LinkClock& clock : clocks_) clock.restart(now);
+  }
+
+  /// Whether all bodies are to make the longest step, whatever their rates ask for: then `level_by_rates` is for others to
+  /// follow.
+  void relax(bool relaxes) {
+    relaxes_ = relaxes;
+    stale_ = true;
+  }
+  int level_by_rates(Index body) const { return by_rates_[static_cast<std::size_t>(body)]; }
+
+  /// The rates of these bodies may have become others, larger or smaller.
+  void look_again(std::span<const Index> bodies);
+
   void columns(Archive& archive);
 
 private:
@@ -95,6 +111,7 @@ private:
   std::vector<Index> calmed_;     ///< bodies whose active level may fall at the next base step
   std::vector<Index> quickened_;  ///< see take_quickened; some more than once
   const TermList<D>* terms_ = nullptr;
+  bool relaxes_ = false;
   bool stale_ = true;  ///< whether a relevel could change anything
 };
 

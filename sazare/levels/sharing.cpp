@@ -162,7 +162,7 @@ SharingForecast Simulation<D>::forecast(distribute::Policy policy, int ranks) co
 template <int D>
 RankWork Simulation<D>::own_rank_work() const {
   RankWork own;
-  own.tick = now_.tick;
+  own.tick = now_.tick - now_.start;
   own.rank = replicas_->ranks().rank();
   own.traffic = replicas_->ranks().traffic();
   own.expected_motion = expected_motion_;

@@ -51,8 +51,7 @@ Simulation<D>::Simulation(state::Bodies<D> bodies, TermList<D> terms, const Step
   }
   std::vector<state::MeanMotion<D>> ahead;
   const terms::EnergyBalance start = energy_sums(snapshot(), nullptr, ahead).balance();
-  kinetic_at_start_ = start[terms::EnergyKind::kinetic];
-  elastic_at_start_ = start[terms::EnergyKind::elastic];
+  for (const terms::EnergyKind kind : {terms::EnergyKind::kinetic, terms::EnergyKind::elastic}) at_start_[kind] = start[kind];
 }
 
 /// Returns the time now, where it is measured.
@@ -85,10 +84,10 @@ void Simulation<D>::start() {
 }
 
 template <int D>
-bool Simulation<D>::advance(const std::function<bool()>& pause) {
+bool Simulation<D>::approach(const std::function<bool()>& pause) {
   const Tick end = now_.tick - now_.tick % schedule::base_stride + schedule::base_stride;
   std::int64_t begin = clock_now();
-  while (now_.tick < end) {
+  while (true) {
     if (pause && counters_.ticks % ticks_between_pauses == 0) {
       stepped_ += clock_now() - begin;
       if (pause()) return false;
@@ -96,11 +95,19 @@ bool Simulation<D>::advance(const std::function<bool()>& pause) {
     }
     now_.tick += schedule::stride(levels_.finest());
     now_.tick -= now_.tick % schedule::stride(levels_.finest());
+    if (now_.tick == end) break;
     tick();
   }
   stepped_ += clock_now() - begin;
-  if (replicas_ && now_.tick / schedule::base_stride % interval_ == 0) divide_anew();
   return true;
+}
+
+template <int D>
+void Simulation<D>::arrive() {
+  const std::int64_t begin = clock_now();
+  tick();
+  stepped_ += clock_now() - begin;
+  if (replicas_ && now_.tick / schedule::base_stride % interval_ == 0) divide_anew();
 }
 
 /// The step, as a list: choose levels, find what is due, evaluate, kick and drift, and carry out what terms change.
@@ -127,7 +134,9 @@ void Simulation<D>::tick() {
     if (replicas_) count_work(term, due_links_[term].size(), worked);
     since = add_time(term, since);
   }
+  if (!now_.has_begun()) add_mass();
   kick_all();
+  if (!now_.has_begun()) take_off_mass();
   ++counters_.ticks;
   const std::int64_t ended = post_step(add_time(terms_.size(), since));
   if (is_measured) ticks_are_long_ = ended - begin > long_tick;
@@ -367,7 +376,7 @@ void Simulation<D>::columns(Archive& archive) {
   archive("motion", bodies_.motion);
   archive("inertia", bodies_.inertia);
   if (!bodies_.strain.empty()) archive("strain", bodies_.strain);
-  archive("kinetic_at_start", kinetic_at_start_);
+  archive("kinetic_at_start", at_start_[terms::EnergyKind::kinetic]);
   archive("work", work_);
   archive("finest_seen", finest_seen_);
   archive("ticks", counters_.ticks);

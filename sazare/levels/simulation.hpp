@@ -60,6 +60,20 @@ struct Survey {
   terms::EnergyBalance energy;
 };
 
+/// What acts on a body in all, but for what its locks take up.
+template <int D>
+struct Load {
+  Vector<D> force = Vector<D>::Zero();     ///< [N]
+  Angular<D> moment = Angular<D>::Zero();  ///< about its centre [N m]
+  Vector6 on_strain = Vector6::Zero();     ///< [N m]
+};
+
+/// The force on a body that nothing balances, as a share of one that means something there.
+struct Unbalance {
+  Index body = -1;
+  Real share = 0;
+};
+
 /// How the work is shared out among the processes of a run.
 struct Sharing {
   const parallel::Ranks* ranks = nullptr;  ///< none: this process does it all
@@ -103,7 +117,38 @@ public:
 
   /// To the next base step, or until `pause`, asked now and then on the way, says so: then false. Deep levels make a long way
   /// of it; the next call goes on from there. With several processes all ask at the same ticks.
-  bool advance(const std::function<bool()>& pause = {});
+  bool advance(const std::function<bool()>& pause = {}) {
+    if (!approach(pause)) return false;
+    arrive();
+    return true;
+  }
+
+  /// The two parts of it: all bodies have come to where they are at the next base step, and then its forces are evaluated.
+  bool approach(const std::function<bool()>& pause = {});
+  void arrive();
+
+  /// Before `start`: time does not begin with it, but with `begin_time`. What acts at times does not act until then, and bodies
+  /// make steps that only lead to an equilibrium: all of them the longest one, those whose rates do not allow it as if they were
+  /// heavier.
+  void relax();
+
+  /// Between `approach` and `arrive`, or before `start`: all bodies have these velocities, or stand still, and do not turn;
+  /// forces act as from a beginning.
+  void stand(std::span<const Vector<D>> velocity = {});
+
+  /// Instead of `arrive`, in a run that relaxes: time begins with this base step, at 0, and so do energies and counters. Which
+  /// bodies have got other rates.
+  void begin_time(std::span<const Index> changed);
+
+  /// Of the steps that bodies are making while they relax [J]. With several processes all call it, and all know it.
+  Real kinetic_energy();
+
+  /// At a base step: the largest force on a body, with its moment and the force on its strain over its reach, as a share of the
+  /// force that is given for each body [N]. With several processes all call it, and all know it.
+  Unbalance largest_unbalance(std::span<const Real> meaningful);
+
+  /// Columns that only a run has that has relaxed, beside `columns`.
+  void relaxation_columns(Archive& archive);
 
   Instant now() const { return now_; }
   const state::Bodies<D>& bodies() const { return bodies_; }
@@ -177,7 +222,15 @@ private:
   void count_work(std::size_t kind, std::size_t count, Real since);
   terms::Peers& peers() { return replicas_ ? static_cast<terms::Peers&>(*replicas_) : alone_; }
   bool travels() const;
+  std::span<const distribute::BodyRange> own_ranges(const distribute::BodyRange& all) const {
+    return replicas_ ? replicas_->own_ranges() : std::span(&all, 1);
+  }
+  std::vector<Load<D>> loads(std::span<const distribute::BodyRange> ranges) const;
   void kick_all();
+  void add_mass();
+  void take_off_mass();
+  template <class Change>
+  void change_mass(Change&& change);
   void kick_chunk(std::span<const Index> which);
   void kick_strain(Index body);
   motion::Stride stride(Index body, int active) const;
@@ -215,7 +268,8 @@ private:
   std::int64_t counts_for_ = 0;  ///< so many ticks like the present one: 0 where it is not measured
   bool ticks_are_long_ = false;  ///< the last one that was measured; all are measured then
   int finest_seen_ = 0;
-  Real kinetic_at_start_ = 0, elastic_at_start_ = 0;
+  std::vector<std::int8_t> added_;  ///< by body, as long as it relaxes: its mass is 4 to this power times its own in a kick
+  terms::EnergyBalance at_start_;   ///< what energies count from
 
   terms::Peers alone_;
   std::unique_ptr<distribute::Replicas<D>> replicas_;  ///< none when alone

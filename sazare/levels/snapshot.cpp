@@ -89,20 +89,37 @@ BodyNow<D> Simulation<D>::body_now(Index body) const {
 /// A body's kick does not sum its forces. They are the slope of what is taken back with them: over a second so long ago that
 /// every force has been given beyond it.
 template <int D>
-std::vector<Vector<D>> Simulation<D>::forces() const {
-  std::vector<Vector<D>> forces(at(bodies_.size()), Vector<D>::Zero());
+std::vector<Load<D>> Simulation<D>::loads(std::span<const distribute::BodyRange> ranges) const {
+  std::vector<Load<D>> loads(at(bodies_.size()));
   constexpr Real early = -2, late = -1;
   const auto take = [&](Real sign) {
     return [&, sign](std::size_t first, std::span<const state::Impulse<D>> all) {
       for (std::size_t i = 0; i < all.size(); ++i) {
-        state::Impulse<D> given = all[i];
-        motion::clear_locked(given, bodies_.locks[first + i]);
-        forces[first + i] += sign * given.linear_lead;
+        const std::size_t body = first + i;
+        state::Impulse<D> given = all[i].about(state::pose_at(bodies_.motion[body], now_).position - bodies_.pole);
+        motion::clear_locked(given, bodies_.locks[body]);
+        loads[body].force += sign * given.linear_lead;
+        loads[body].moment += sign * given.angular_lead;
       }
     };
   };
-  gather(0, bodies_.size(), late, take(1));
-  gather(0, bodies_.size(), early, take(-1));
+  for (const distribute::BodyRange& range : ranges) {
+    gather(range.begin, range.end, late, take(1));
+    gather(range.begin, range.end, early, take(-1));
+    if constexpr (D == 3)
+      if (!strain_terms_.empty())
+        for (Index body = range.begin; body < range.end; ++body)
+          loads[at(body)].on_strain =
+              motion::free_force(bodies_, body, gather_strain(body, late).impulse.lead - gather_strain(body, early).impulse.lead);
+  }
+  return loads;
+}
+
+template <int D>
+std::vector<Vector<D>> Simulation<D>::forces() const {
+  const distribute::BodyRange all{0, bodies_.size()};
+  std::vector<Vector<D>> forces;
+  for (const Load<D>& load : loads({&all, 1})) forces.push_back(load.force);
   return forces;
 }
 
@@ -140,12 +157,11 @@ terms::EnergySums Simulation<D>::energy_sums(const Snapshot<D>& at_now, const di
   return sums;
 }
 
-/// The kinetic and the elastic energy count from the beginning.
+/// Energies count from the beginning.
 template <int D>
 terms::EnergyBalance Simulation<D>::close(const terms::EnergySums& sums) const {
   terms::EnergyBalance balance = sums.balance();
-  balance[terms::EnergyKind::kinetic] -= kinetic_at_start_;
-  balance[terms::EnergyKind::elastic] -= elastic_at_start_;
+  for (std::size_t kind = 0; kind < terms::energy_kind_count; ++kind) balance.joules[kind] -= at_start_.joules[kind];
   return balance;
 }
 
@@ -182,6 +198,8 @@ template terms::EnergyBalance Simulation<2>::close(const terms::EnergySums&) con
 template terms::EnergyBalance Simulation<3>::close(const terms::EnergySums&) const;
 template Survey<2> Simulation<2>::survey(Survey<2>) const;
 template Survey<3> Simulation<3>::survey(Survey<3>) const;
+template std::vector<Load<2>> Simulation<2>::loads(std::span<const distribute::BodyRange>) const;
+template std::vector<Load<3>> Simulation<3>::loads(std::span<const distribute::BodyRange>) const;
 template std::vector<Vector<2>> Simulation<2>::forces() const;
 template std::vector<Vector<3>> Simulation<3>::forces() const;
 template void Simulation<2>::sum_body_energies(const Snapshot<2>&, const distribute::Replicas<2>*,

@@ -44,6 +44,11 @@ void drift_strain_back(state::Bodies<3>& bodies, Index body, const Instant& now)
   strain.predicted_rate = strain.rate + kept_change(motion, now) * (strain.predicted_rate - strain.rate);
 }
 
+Vector6 free_force(const state::Bodies<3>& bodies, Index body, const Vector6& force) {
+  if (bodies.strain[at(body)].inverse_inertia == 0) return Vector6::Zero();
+  return without_locked(force, bodies.motion[at(body)].rotation, bodies.locks[at(body)]);
+}
+
 state::StrainNow strain_now(const state::Bodies<3>& bodies, Index body, const Instant& now, state::StrainImpulse given) {
   const auto& motion = bodies.motion[at(body)];
   const auto& strain = bodies.strain[at(body)];

@@ -8,6 +8,7 @@
 /// windows still join without gap or overlap. [Konno2018], 3.1 takes force x time since the last evaluation instead,
 /// which agrees for equal steps and is of first order where levels change.
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -26,6 +27,8 @@ public:
   bool holds(Index link) const { return buckets_.holds(link); }
   std::size_t size() const { return buckets_.size(); }
   void sort() { buckets_.sort(); }
+  /// Forces act from `now` on, as if none had acted before.
+  void restart(Tick now) { std::ranges::fill(given_, now); }
 
   /// The links due at `now`, level by level, each with the time that its force acts, which is marked as given. The list stands
   /// until the next call.

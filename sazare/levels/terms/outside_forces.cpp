@@ -32,7 +32,8 @@ std::vector<Index> OutsideForces::first_links() const {
 
 void OutsideForces::evaluate(const Instant& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
   for (const Due& link : due) {
-    const PairForce<3> force = reaction(loads_[at(link.link)], bodies.motion[at(link.link)].position, bodies.pole);
+    const Load load = now.has_begun() ? loads_[at(link.link)] : Load{};
+    const PairForce<3> force = reaction(load, bodies.motion[at(link.link)].position, bodies.pole);
     write<3, 0>(table_[link.link], now, link, force, {});
   }
 }
