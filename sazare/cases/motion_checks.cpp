@@ -63,8 +63,9 @@ void warn_of_end(const CheckContext& context, const Entry& entry, const Motion& 
 /// Motions in gal or cm/s whose numbers are taken for m/s2 or m/s are a hundred times too strong.
 void warn_of_peaks(const CheckContext& context, const Entry& entry, const Motion& motion, Real end) {
   constexpr MotionPeaks strongest{50, 8, 25};  // somewhat more than the strongest that was ever recorded near a fault
+  constexpr Real travel_of_impact = 0.01;      // m; a striker is faster than any ground, and moves little while the run lasts
   const std::optional<MotionPeaks> peaks = peaks_of(motion, end);
-  if (!peaks) return;
+  if (!peaks || peaks->displacement < travel_of_impact) return;
   const bool is_record = motion.type == MotionShape::record;
   const Place place = entry.place(is_record ? "file" : "amplitude");
   const auto warn = [&](const char* what, Real peak, const char* unit, Real factor, const char* small_unit) {
