@@ -93,6 +93,18 @@ def test_elastic_elements_give_the_same_bits_whoever_owns_them(sazare, tmp_path,
     assert_same_results(tmp_path / "alone", tmp_path / "many")
 
 
+def test_strength_by_rate_is_the_same_whoever_owns_a_joint(sazare, tmp_path):
+    case = elastic_block(tmp_path)
+    options = ("--set", LATER, "--set", "joints.0.rate_law=fib_2010", "--set", "joints.0.rate_energy_exponent=2.0")
+    alone = sazare("run", case, "--out", tmp_path / "alone", "--threads", 2, *options)
+    assert alone.returncode == DONE, alone.stderr
+    assert manifest(tmp_path / "alone")["results"]["dynamic_increase"] > 1.1
+    sharing = ("--balance", "random", "--balance-interval", 6)
+    many = sazare.on_ranks(4, "run", case, "--out", tmp_path / "many", "--threads", 1, *options, *sharing)
+    assert many.returncode == DONE, many.stderr
+    assert_same_results(tmp_path / "alone", tmp_path / "many")
+
+
 @pytest.mark.parametrize("ranks", [2, 3])
 def test_true_faces_give_the_same_bits_on_ranks(sazare, tmp_path, ranks):
     faces = ("--set", 'contact.contact_shape="faces"', "--set", "contact.face_contact_stiffness=450e9")

@@ -237,7 +237,7 @@ void JointsOf<Laws>::remember(const LanePointers<JointRecord>& records, const Jo
     auto numbers = load_quad(records, begin);
     for (std::size_t axis = 0; axis < 2; ++axis)
       numbers[axis + 1] = select(change.slipped, numbers[axis + 1] + change.slip[v][axis], numbers[axis + 1]);
-    numbers[3] = change.peak[static_cast<int>(v)];
+    numbers[3] = select(change.softened, change.peak[static_cast<int>(v)], numbers[3]);
     store_quad(numbers, records, begin);
   }
 }
