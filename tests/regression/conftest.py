@@ -48,6 +48,15 @@ class Sazare:
         return self("run", BLOCK, "--out", folder, "--threads", 1, *sets, *options, **more)
 
 
+def settling_block(folder):
+    """The small block on an absorbing face, at its equilibrium under a heavy weight before its blast, beside its mesh."""
+    text = BLOCK.read_text(encoding="utf-8").replace('"block.msh"', f'"{BLOCK.parent}/block.msh"')
+    text += '\n[gravity]\nacceleration = [0.0, 0.0, -9810.0]\nsettle = true\n\n[[boundaries]]\nsurface = "far"\nkind = "absorbing"\n'
+    case = folder / "settling.toml"
+    case.write_text(text, encoding="utf-8")
+    return case
+
+
 @pytest.fixture
 def sazare():
     return Sazare()

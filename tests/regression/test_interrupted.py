@@ -6,7 +6,7 @@ import time
 from subprocess import TimeoutExpired
 
 import pytest
-from conftest import DONE, MACHINE_FAILED, PHYSICS_FAILED, ROOT, USER_ERROR, manifest, rows_without_wall_time
+from conftest import DONE, MACHINE_FAILED, PHYSICS_FAILED, ROOT, USER_ERROR, manifest, rows_without_wall_time, settling_block
 
 OFTEN = "output.checkpoint_interval=0.02"
 LATER = "time.end=4e-3"
@@ -93,6 +93,24 @@ def test_stopped_by_a_signal(sazare, tmp_path, whole, number):
     assert resumed.returncode == DONE, words
     assert "resumed at t = " in out
     assert_same_results(whole, parts)
+
+
+def test_killed_after_it_has_settled(sazare, tmp_path):
+    case = settling_block(tmp_path)
+    options = ["--threads", 1, "--set", OFTEN, "--set", LATER]
+    done = sazare("run", case, "--out", tmp_path / "whole", *options)
+    assert done.returncode == DONE, done.stderr
+    assert "finding the equilibrium before the run begins" in done.stdout
+    parts = tmp_path / "parts"
+    process = sazare.start("run", case, "--out", parts, *options)
+    wait_for(parts / "checkpoint" / "state.h5")
+    time.sleep(0.2)
+    process.send_signal(signal.SIGKILL)
+    process.communicate()
+    resumed = sazare("run", case, "--out", parts, *options, "--resume")
+    assert resumed.returncode == DONE, resumed.stderr
+    assert "resumed at t = " in resumed.stdout and "finding" not in resumed.stdout
+    assert_same_results(tmp_path / "whole", parts)
 
 
 def test_stopped_with_gas_in_cracks(sazare, tmp_path):

@@ -7,7 +7,7 @@ import subprocess
 import time
 
 import pytest
-from conftest import DONE, MACHINE_FAILED, MPI_ENVIRONMENT, PROGRAM, USER_ERROR, Sazare, manifest, rows_without_wall_time
+from conftest import DONE, MACHINE_FAILED, MPI_ENVIRONMENT, PROGRAM, USER_ERROR, Sazare, manifest, rows_without_wall_time, settling_block
 
 OFTEN = "output.checkpoint_interval=0.02"
 LATER = "time.end=4e-4"
@@ -101,6 +101,17 @@ def test_strength_by_rate_is_the_same_whoever_owns_a_joint(sazare, tmp_path):
     assert manifest(tmp_path / "alone")["results"]["dynamic_increase"] > 1.1
     sharing = ("--balance", "random", "--balance-interval", 6)
     many = sazare.on_ranks(4, "run", case, "--out", tmp_path / "many", "--threads", 1, *options, *sharing)
+    assert many.returncode == DONE, many.stderr
+    assert_same_results(tmp_path / "alone", tmp_path / "many")
+
+
+@pytest.mark.parametrize(("ranks", "sharing"), [(2, []), (3, ["--balance", "random", "--balance-interval", 6])])
+def test_the_equilibrium_before_a_run_is_the_same_on_ranks(sazare, tmp_path, ranks, sharing):
+    case = settling_block(tmp_path)
+    alone = sazare("run", case, "--out", tmp_path / "alone", "--threads", 1)
+    assert alone.returncode == DONE, alone.stderr
+    assert manifest(tmp_path / "alone")["results"]["settlement"] > 0
+    many = sazare.on_ranks(ranks, "run", case, "--out", tmp_path / "many", "--threads", 1, *sharing)
     assert many.returncode == DONE, many.stderr
     assert_same_results(tmp_path / "alone", tmp_path / "many")
 

@@ -287,6 +287,10 @@ class Gravity(Part):
 
     acceleration: tuple[float, float, float] | None = None
     """Gravitational acceleration. [m/s2] Default: [0.0, 0.0, 0.0]."""
+    settle: bool | None = None
+    """Begin in equilibrium, under gravity and the initial stress together: it is found first, absorbing boundaries keep carrying
+    their reactions in it, and displacements and energies count from it. Default: false.
+    """
 
 
 @dataclass(kw_only=True, eq=False)
@@ -351,6 +355,10 @@ class InitialStress(Part):
     """
     datum: float | None = None
     """Height of the plane from which depth is measured: along z, or against gravity where there is gravity. [m] Default: 0.0."""
+    settle: bool | None = None
+    """Begin in equilibrium, under gravity and the initial stress together: it is found first, absorbing boundaries keep carrying
+    their reactions in it, and displacements and energies count from it. Default: false.
+    """
 
 
 @dataclass(kw_only=True, eq=False)

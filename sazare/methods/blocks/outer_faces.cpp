@@ -51,27 +51,55 @@ bool moves(const MovingGround& ground) {
 }  // namespace
 
 OuterFaces::OuterFaces(std::vector<OuterFace> faces, std::vector<MovingGround> ground, const state::Bodies<3>& bodies)
-    : ground_(std::move(ground)),
-      faces_(std::move(faces)),
-      rates_(static_cast<std::size_t>(bodies.size())) {
+    : ground_(std::move(ground)), faces_(std::move(faces)), rates_(find_rates(bodies, false)) {
   if (std::ranges::any_of(ground_, moves)) ground_work_.resize(faces_.size(), {Vector3::Zero(), 0, 0});
-  std::map<Index, BodyMatrices> matrices;
-  for (const OuterFace& face : faces_) {
-    links_.push_back({face.body, Link::outside});
-    matrices[face.body].is_strained = !bodies.strain.empty();
-    add_face(matrices[face.body], face.springs);
-  }
-  for (const auto& [body, sum] : matrices) rates_[static_cast<std::size_t>(body)] = largest_rates(sum, bodies, body);
+  for (const OuterFace& face : faces_) links_.push_back({face.body, Link::outside});
+  if (std::ranges::any_of(faces_, [](const OuterFace& face) { return face.later.has_value(); }))
+    rates_later_ = find_rates(bodies, true);
   strain_table_ = {bodies, faces_.size()};
   table_.causes = {terms::Cause::boundary};
   table_.slots.resize(faces_.size());
   table_.incidence = terms::FixedIncidence(bodies.size(), links_);
 }
 
+/// Before time begins, or later.
+std::vector<terms::Rates> OuterFaces::find_rates(const state::Bodies<3>& bodies, bool later) const {
+  std::map<Index, BodyMatrices> matrices;
+  for (const OuterFace& face : faces_) {
+    matrices[face.body].is_strained = !bodies.strain.empty();
+    add_face(matrices[face.body], later && face.later ? *face.later : face.springs);
+  }
+  std::vector<terms::Rates> rates(static_cast<std::size_t>(bodies.size()));
+  for (const auto& [body, sum] : matrices) rates[static_cast<std::size_t>(body)] = largest_rates(sum, bodies, body);
+  return rates;
+}
+
 std::vector<Index> OuterFaces::first_links() const {
   std::vector<Index> all(links_.size());
   std::iota(all.begin(), all.end(), 0);
   return all;
+}
+
+void OuterFaces::take_later_springs() {
+  for (OuterFace& face : faces_)
+    if (face.later) face.springs = *face.later;
+  rates_ = rates_later_;
+}
+
+std::vector<Index> OuterFaces::let_go(const state::Bodies<3>& bodies) {
+  std::vector<Index> changed;
+  for (OuterFace& face : faces_) {
+    if (!face.later) continue;
+    const auto& motion = bodies.motion[static_cast<std::size_t>(face.body)];
+    BodyMotion body{{motion.position, motion.rotation}, Vector3::Zero(), Vector3::Zero()};
+    if (!bodies.strain.empty()) body.strain = bodies.strain[static_cast<std::size_t>(face.body)].strain;
+    for (std::size_t corner = 0; corner < 3; ++corner)
+      face.traction[corner] -=
+          corner_force(face, corner, body, {Vector3::Zero(), Vector3::Zero()}).spring / face.springs.corner_area;
+    changed.push_back(face.body);
+  }
+  if (has_held()) take_later_springs();
+  return changed;
 }
 
 GroundState OuterFaces::ground_at(Index boundary, Real time) const {
@@ -208,12 +236,20 @@ std::vector<Vector3> OuterFaces::forces(Real time, const std::function<BodyMotio
 
 void OuterFaces::carry(Index link, Parcel& parcel) {
   parcel(table_[link]);
+  if (has_held()) parcel(faces_[static_cast<std::size_t>(link)].traction);
   strain_table_.carry(link, parcel);
   if (!ground_work_.empty()) parcel(ground_work_[static_cast<std::size_t>(link)]);
 }
 
 void OuterFaces::columns(Archive& archive) {
   archive("slots", table_.slots);
+  if (has_held()) {  // there are checkpoints of what has let go alone
+    std::vector<std::array<Vector3, 3>> tractions;
+    for (const OuterFace& face : faces_) tractions.push_back(face.traction);
+    archive("tractions", tractions);
+    for (std::size_t i = 0; i < faces_.size(); ++i) faces_[i].traction = tractions[i];
+    if (archive.reading()) take_later_springs();
+  }
   strain_table_.columns(archive);
   if (!ground_work_.empty()) archive("ground_work", ground_work_);
 }

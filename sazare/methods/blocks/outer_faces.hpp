@@ -6,9 +6,12 @@
 ///                                                              u and v relative to the ground
 ///
 /// fixed: as if bonded to unbreakable ground; frictionless: the normal part alone; absorbing: c_n = rho c_P, c_s = rho c_S
-/// (Lysmer and Kuhlemeyer 1969) with the wave speeds that the joints imply over the block's own height; an incident wave v_in enters
-/// through them as ground that moves with 2 v_in, which makes f = -A c (v - 2 v_in). Initial tractions of the
-/// ground act beside them, unchanged; their work counts as energy of the ground.
+/// (Lysmer and Kuhlemeyer 1969) with the wave speeds that the joints imply over the block's own height; an incident wave v_in
+/// enters through them as ground that moves with 2 v_in, which makes f = -A c (v - 2 v_in). Initial tractions of the ground act
+/// beside them, unchanged; their work counts as energy of the ground.
+///
+/// Dashpots hold nothing: until time begins such a face may stand on springs. What these carry in the end it carries as a
+/// traction.
 ///
 /// Ground that moves does work on the blocks: the force of a face times the displacement of the ground over the time for which
 /// the force is given. Its share in what moves the dashpots is dissipated there.
@@ -34,6 +37,7 @@ struct OuterFace {
   std::array<Vector3, 3> place;  ///< of the corners at the beginning [m]
   Vector3 normal;                ///< outward, at the beginning
   std::array<Vector3, 3> traction = {Vector3::Zero(), Vector3::Zero(), Vector3::Zero()};  ///< initial, on the corners [Pa]
+  std::optional<FaceSprings> later = std::nullopt;  ///< which take the place of `springs` at the beginning of time
 };
 
 /// Where a body is and how it moves.
@@ -73,6 +77,9 @@ public:
 
   std::span<const OuterFace> faces() const { return faces_; }
 
+  /// Time begins, where bodies stand: faces that stood on springs until now let go. Returns the bodies that have such faces.
+  std::vector<Index> let_go(const state::Bodies<3>& bodies);
+
   /// Adds what the dashpots of each boundary have dissipated, as the energy balance counts it, of the bodies that `owns` names;
   /// `work_on` is their work by boundaries so far [J]. A body with faces on several boundaries divides it by their areas.
   void add_dissipated(const terms::Synchronized<3>& at, const std::function<bool(Index)>& owns,
@@ -88,6 +95,9 @@ private:
     Real work;            ///< on the bodies and their springs [J]
     Real dissipated;      ///< part of it that goes into the dashpots [J]
   };
+  std::vector<terms::Rates> find_rates(const state::Bodies<3>& bodies, bool later) const;
+  bool has_held() const { return !rates_later_.empty(); }
+  void take_later_springs();
   GroundState ground_at(Index boundary, Real time) const;
   std::vector<GroundState> ground_at(Real time) const;
   Vector3 displacement_ahead(std::size_t face, const GroundState& ground) const {
@@ -102,6 +112,7 @@ private:
   std::vector<OuterFace> faces_;
   std::vector<Link> links_;
   std::vector<terms::Rates> rates_;
+  std::vector<terms::Rates> rates_later_;  ///< none where no face stands on springs until time begins
   terms::SlotTable<3, 1, terms::FixedIncidence> table_;
   terms::StrainTable<1, 1> strain_table_;
 };

@@ -134,7 +134,7 @@ TEST(Fragments, OfAnUnbrokenBodyHaveItsMassAndVolume) {
   levels::Snapshot<3> moved = model.simulation->snapshot();
   for (auto& pose : moved.pose) pose.position += Vector3(3, 0, 4);
   for (auto& velocity : moved.velocity) velocity = Vector3(1, 2, 3);
-  const auto pieces = measure_fragments(find_fragments(bodies.size(), *model.joints), model.mesh, bodies, moved);
+  const auto pieces = measure_fragments(find_fragments(bodies.size(), *model.joints), model.mesh, bodies, moved, bodies.start);
   ASSERT_EQ(pieces.size(), 1u);
   EXPECT_NEAR(pieces[0].volume, 0.4 * 0.3 * 0.3, 1e-12);
   EXPECT_NEAR(pieces[0].mass, 2390 * 0.4 * 0.3 * 0.3, 1e-9);
@@ -147,8 +147,8 @@ TEST(Fragments, OfAnUnbrokenBodyHaveItsMassAndVolume) {
 TEST(Fragments, AreSortedLargestFirst) {
   BlocksModel model = test::block_model(test::loose_case());
   const auto& bodies = model.simulation->bodies();
-  const auto pieces =
-      measure_fragments(find_fragments(bodies.size(), *model.joints), model.mesh, bodies, model.simulation->snapshot());
+  const auto pieces = measure_fragments(find_fragments(bodies.size(), *model.joints), model.mesh, bodies,
+                                        model.simulation->snapshot(), bodies.start);
   for (std::size_t i = 1; i < pieces.size(); ++i) EXPECT_GE(pieces[i - 1].volume, pieces[i].volume);
 }
 

@@ -202,6 +202,10 @@ struct Constraint {
   std::array<bool, 3> rotation{false, false, false};
 };
 
+struct BlockGravity : Gravity {
+  bool settle = false;
+};
+
 /// Stress in the ground before anything is done to it, tension positive.
 struct InitialStress {
   Vector3 normal = Vector3::Zero();            // Pa: xx, yy, zz at the datum
@@ -210,6 +214,7 @@ struct InitialStress {
   Vector3 shear_per_depth = Vector3::Zero();   // Pa/m
   std::optional<Real> k0;                      // instead of these: from the weight of the ground above
   Real datum = 0;                              // m
+  bool settle = false;
 
   bool is_zero() const;
 };
@@ -240,7 +245,7 @@ struct BlocksCase {
   Contact contact;
   std::vector<Blast> blasts;
   std::vector<Charge> charges;
-  Gravity gravity;
+  BlockGravity gravity;
   WaterOnFaces water;
   InitialStress initial_stress;
   std::vector<Motion> motions;
@@ -253,6 +258,8 @@ struct BlocksCase {
 
   /// The initial stress with the weight of the ground where it is given by k0.
   laws::LinearStress stress_at_start() const;
+  /// Whether it begins in equilibrium: either of the tables says so.
+  bool settles() const { return gravity.settle || initial_stress.settle; }
 };
 
 }  // namespace sazare::cases

@@ -11,6 +11,7 @@ void check_joints(const CheckContext& context, const BlocksCase& blocks);
 void check_contact(const CheckContext& context, const BlocksCase& blocks);
 void check_constraints(const CheckContext& context, const BlocksCase& blocks);
 void check_initial_stress(const CheckContext& context, const BlocksCase& blocks);
+void check_settling(const CheckContext& context, const BlocksCase& blocks);
 
 /// Checks the blasts and reads their pressure tables.
 void check_blasts(const CheckContext& context, BlocksCase& blocks);

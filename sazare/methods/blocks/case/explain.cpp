@@ -169,6 +169,7 @@ void explain_conditions(Explanation& text, const BlocksCase& blocks) {
   if (!blocks.gravity.acceleration.isZero()) text.add("gravity", vector_text(blocks.gravity.acceleration) + " m/s2");
   text.add(explain_water(blocks.water, blocks.gravity));
   explain_initial_stress(text, blocks.initial_stress);
+  if (blocks.settles()) text.add("settles", "before the run begins, until it is in equilibrium");
   text.add(explain_motions(blocks.motions, blocks.time.end));
   for (const Boundary& boundary : blocks.boundaries)
     text.add("boundaries", fmt::format("{}: {}{}", boundary.surface, word(boundary.kind), motion_names_text(boundary.motion, boundary.kind == BoundaryKind::absorbing)));

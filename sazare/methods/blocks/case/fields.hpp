@@ -191,6 +191,12 @@ void visit_fields(Visitor& visit, Constraint& constraint) {
 }
 
 template <class Visitor>
+void visit_fields(Visitor& visit, BlockGravity& gravity) {
+  visit("acceleration", gravity.acceleration);
+  visit("settle", gravity.settle);
+}
+
+template <class Visitor>
 void visit_fields(Visitor& visit, InitialStress& stress) {
   if (visit.has("k0", stress.k0.has_value())) {
     visit("k0", stress.k0);
@@ -201,6 +207,7 @@ void visit_fields(Visitor& visit, InitialStress& stress) {
     visit("shear_stress_per_depth", stress.shear_per_depth);
   }
   visit("datum", stress.datum);
+  visit("settle", stress.settle);
 }
 
 template <class Visitor>

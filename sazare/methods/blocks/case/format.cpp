@@ -44,6 +44,7 @@ void read(const CheckContext& context, CaseFile& file) {
   check_charges(context, blocks);
   check_constraints(context, blocks);
   check_initial_stress(context, blocks);
+  check_settling(context, blocks);
   check_water(context, blocks.water, blocks.gravity, blocks.time.end);
   check_motions(context, blocks.motions, blocks.time.end);
   resolve_clocks(context, blocks.time);

@@ -49,6 +49,20 @@ laws::LinearStress BlocksCase::stress_at_start() const {
   return stress;
 }
 
+void check_settling(const CheckContext& context, const BlocksCase& blocks) {
+  const bool has_weight = !blocks.gravity.acceleration.isZero(0);
+  for (const auto& [table, settles] :
+       {std::pair{"gravity", blocks.gravity.settle}, {"initial_stress", blocks.initial_stress.settle}}) {
+    if (!settles) continue;
+    const auto place = context.entries_of(table).front().place("settle");
+    if (!has_weight && blocks.initial_stress.is_zero())
+      context.problems.error(place, "settle requires gravity or an initial stress", "give one of them, or remove settle");
+    else if (has_weight && blocks.boundaries.empty() && blocks.constraints.empty())
+      context.problems.error(place, "under gravity nothing holds the body, and it would fall while it settles",
+                             "give it [[boundaries]] to stand on or hold a region with [[constraints]], or remove settle");
+  }
+}
+
 void check_initial_stress(const CheckContext& context, const BlocksCase& blocks) {
   const Entry entry = context.entries_of("initial_stress").front();
   if (!entry.exists()) return;

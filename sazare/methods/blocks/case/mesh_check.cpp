@@ -144,14 +144,18 @@ private:
         if (constraint.translation[static_cast<std::size_t>(axis)] && blocks_.gravity.acceleration[axis] != 0) return true;
       return false;
     };
-    if (blocks_.gravity.acceleration.isZero() || !blocks_.initial_stress.is_zero() || found == blocks_.boundaries.end() ||
-        std::ranges::any_of(blocks_.boundaries, carries) || std::ranges::any_of(blocks_.constraints, holds))
+    if (blocks_.gravity.acceleration.isZero() || !blocks_.initial_stress.is_zero() || blocks_.settles() ||
+        found == blocks_.boundaries.end() || std::ranges::any_of(blocks_.boundaries, carries) ||
+        std::ranges::any_of(blocks_.constraints, holds))
       return;
     const auto entry = context_.entries_of("boundaries")[static_cast<std::size_t>(found - blocks_.boundaries.begin())];
-    context_.problems.error(
-        entry.place("kind"), "under gravity an absorbing boundary yields without limit, and nothing else holds the body",
-        "make the boundary beneath the body \"fixed\" or \"frictionless\", hold a region with [[constraints]], give the ground its "
-        "[initial_stress], which absorbing boundaries carry, or remove [gravity]");
+    context_.problems.error(entry.place("kind"),
+                            "under gravity an absorbing boundary yields without limit, and nothing else holds the body",
+                            "add settle = true to [gravity]: the boundary then carries its reactions in equilibrium; or make the "
+                            "boundary beneath the body "
+                            "\"fixed\" or \"frictionless\", hold a region with [[constraints]], give the ground its "
+                            "[initial_stress], which absorbing "
+                            "boundaries carry, or remove [gravity]");
   }
 
   /// Whether a boundary has springs against gravity.

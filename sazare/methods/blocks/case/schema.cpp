@@ -7,6 +7,7 @@
 #include "sazare/laws/joint_laws.hpp"
 #include "sazare/methods/blocks/case/charge_keys.hpp"
 #include "sazare/methods/blocks/case/format.hpp"
+#include "sazare/methods/blocks/case/ground_keys.hpp"
 
 namespace sazare::cases {
 namespace {
@@ -303,46 +304,6 @@ constexpr std::array blast_keys{
         .sentence = "Displacement of a face at which its pressure ends for good; inf: never."},
 };
 
-constexpr std::string_view instead_of_k0 = "instead of k0; tension positive";
-
-constexpr std::array initial_stress_keys{
-    Key{.name = "normal_stress",
-        .type = Type::vector,
-        .unit = "Pa",
-        .default_text = "[0.0, 0.0, 0.0]",
-        .note = instead_of_k0,
-        .sentence = "Stresses xx, yy, zz at the datum."},
-    Key{.name = "shear_stress",
-        .type = Type::vector,
-        .unit = "Pa",
-        .default_text = "[0.0, 0.0, 0.0]",
-        .note = instead_of_k0,
-        .sentence = "Stresses xy, yz, zx at the datum."},
-    Key{.name = "normal_stress_per_depth",
-        .type = Type::vector,
-        .unit = "Pa/m",
-        .default_text = "[0.0, 0.0, 0.0]",
-        .note = instead_of_k0,
-        .sentence = "What is added to xx, yy, zz per metre of depth below the datum."},
-    Key{.name = "shear_stress_per_depth",
-        .type = Type::vector,
-        .unit = "Pa/m",
-        .default_text = "[0.0, 0.0, 0.0]",
-        .note = instead_of_k0,
-        .sentence = "What is added to xy, yz, zx per metre of depth below the datum."},
-    Key{.name = "k0",
-        .type = Type::number,
-        .range = not_negative,
-        .note = "instead of the stresses; needs gravity along an axis",
-        .sentence = "Ratio of horizontal to vertical stress; the vertical stress is the weight of the ground between a place and "
-                    "the datum, its surface."},
-    Key{.name = "datum",
-        .type = Type::number,
-        .unit = "m",
-        .default_text = "0.0",
-        .sentence = "Height of the plane from which depth is measured: along z, or against gravity where there is gravity."},
-};
-
 constexpr std::array boundary_keys{
     Key{.name = "surface",
         .type = Type::text,
@@ -448,7 +409,7 @@ constexpr std::array tables{
     Table{"charges", true, Need::optional,
           "Explosive in holes: the detonation runs along it, and its gas presses on the wall until it has expanded.",
           charge_keys},
-    gravity_table,
+    Table{"gravity", false, Need::optional, "Body force.", block_gravity_keys},
     face_water_table,
     Table{"initial_stress", false, Need::optional,
           "Stress in the body at the beginning, which bonded joints and boundaries carry.", initial_stress_keys},

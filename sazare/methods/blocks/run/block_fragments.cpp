@@ -90,7 +90,7 @@ std::vector<Fragment> detached(std::span<const Fragment> fragments) {
 }
 
 std::vector<Fragment> measure_fragments(const FragmentMap& map, const geometry::TetraMesh& mesh, const state::Bodies<3>& bodies,
-                                        const levels::Snapshot<3>& now) {
+                                        const levels::Snapshot<3>& now, std::span<const Vector3> start) {
   std::vector<Fragment> fragments(at(map.count));
   std::vector<Vector3> moved(at(map.count), Vector3::Zero());
   for (std::size_t element = 0; element < mesh.tetrahedra.size(); ++element) {
@@ -102,7 +102,7 @@ std::vector<Fragment> measure_fragments(const FragmentMap& map, const geometry::
     fragment.mass += mass;
     fragment.center += mass * now.pose[element].position;
     fragment.velocity += mass * now.velocity[element];
-    moved[number] += mass * (now.pose[element].position - bodies.start[element]);
+    moved[number] += mass * (now.pose[element].position - start[element]);
   }
   finish_fragments(fragments, moved);
   return fragments;

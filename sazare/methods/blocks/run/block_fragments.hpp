@@ -2,6 +2,7 @@
 
 /// Fragments of blocks: elements that still hang together by joints that hold.
 
+#include <span>
 #include <vector>
 
 #include "sazare/geometry/tetra_mesh.hpp"
@@ -34,8 +35,9 @@ void mark_staying(const FragmentMap& map, std::span<const Index> anchored, std::
 /// Those that do not stay, in their order.
 std::vector<Fragment> detached(std::span<const Fragment> fragments);
 
-/// Fragments at a moment, largest volume first; equal ones in the order of their numbers.
+/// Fragments at a moment, largest volume first; equal ones in the order of their numbers. They have moved from where the centres
+/// of their elements were when time began [m].
 std::vector<Fragment> measure_fragments(const FragmentMap& map, const geometry::TetraMesh& mesh, const state::Bodies<3>& bodies,
-                                        const levels::Snapshot<3>& now);
+                                        const levels::Snapshot<3>& now, std::span<const Vector3> start);
 
 }  // namespace sazare::runs

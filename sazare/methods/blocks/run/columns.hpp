@@ -130,6 +130,7 @@ inline constexpr std::array figures = {
     Column{"p50", "m", "size that 50 % of their mass passes"},
     Column{"p80", "m", "size that 80 % of their mass passes"},
     Column{"throw_max", "m", "largest displacement of a fragment's centre"},
+    Column{"settlement", "m", "largest displacement of an element before time began; where it settles"},
     Column{"peak_speed", "m/s", "largest of any element, at the rows of the history"},
     Column{"peak_strain", "-",
            "largest of any deformable element, the norm of the tensor, at the rows of the history; where there are such"},

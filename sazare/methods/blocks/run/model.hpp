@@ -41,6 +41,10 @@ struct BlocksModel {
   methods::blocks::SurfaceContacts* surface = nullptr;  ///< of a coupling; owned by the simulation
   methods::blocks::WaterLoads* water = nullptr;         ///< none without water; owned by the simulation
   terms::OutsideForces* outside_forces = nullptr;       ///< none in a run that takes none; owned by the simulation
+  std::vector<Vector3> equilibrium;  ///< centres of the elements when time began; none where they did not settle before [m]
+
+  /// From where displacements count: centres of the elements when time began [m].
+  const std::vector<Vector3>& places_at_start() const { return equilibrium.empty() ? simulation->bodies().start : equilibrium; }
 };
 
 /// What a model is made for.

@@ -185,6 +185,14 @@ std::array<Vector3, 3> ground_tractions(const laws::LinearStress& stress, cases:
   return tractions;
 }
 
+/// Stands a face on the springs of fixed ground first.
+void hold_until_time_begins(const OnGround& behind, methods::blocks::OuterFace& face) {
+  const methods::blocks::FaceSprings later = face.later.emplace(face.springs);
+  face.springs = ground_springs(cases::BoundaryKind::fixed, behind);
+  face.springs.corners = later.corners;
+  face.springs.corner_area = later.corner_area;
+}
+
 }  // namespace
 
 std::vector<methods::blocks::OuterFace> make_boundaries(const cases::BlocksCase& blocks, const MeshFaces& faces,
@@ -203,11 +211,13 @@ std::vector<methods::blocks::OuterFace> make_boundaries(const cases::BlocksCase&
       const Vector3 area = area_vector(face.place);
       face.normal = area.normalized();
       const Real distance = face.normal.dot(face.place[0] - motion.position);
-      face.springs = ground_springs(boundary.kind, {blocks.materials[at(own)], own_joint(blocks, own), distance,
-                                                    bodies.inertia[at(outer.element)].mass / area.norm()});
-      face.springs.corner_area = area.norm() / 3;
+      const OnGround behind{blocks.materials[at(own)], own_joint(blocks, own), distance,
+                            bodies.inertia[at(outer.element)].mass / area.norm()};
+      face.springs = ground_springs(boundary.kind, behind);
       for (std::size_t corner = 0; corner < 3; ++corner)
         face.springs.corners[corner] = motion.rotation.transpose() * (face.place[corner] - motion.position);
+      face.springs.corner_area = area.norm() / 3;
+      if (blocks.settles() && boundary.kind == cases::BoundaryKind::absorbing) hold_until_time_begins(behind, face);
       if (!stress.is_zero()) face.traction = ground_tractions(stress, boundary.kind, face);
       made.push_back(face);
     }

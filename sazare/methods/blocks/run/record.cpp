@@ -160,7 +160,7 @@ void RunRecord::flush(bool to_disk) {
 /// Largest first, those that stay marked.
 std::vector<Fragment> RunRecord::measured_fragments(const levels::Snapshot<3>& now) {
   const state::Bodies<3>& bodies = model_->simulation->bodies();
-  std::vector<Fragment> measured = measure_fragments(fragments(), model_->mesh, bodies, now);
+  std::vector<Fragment> measured = measure_fragments(fragments(), model_->mesh, bodies, now, model_->places_at_start());
   mark_staying(fragments(), anchored_elements(file_->as<cases::BlocksCase>(), model_->boundaries, bodies), measured);
   return measured;
 }
@@ -188,6 +188,14 @@ Real volume_of(std::span<const Fragment> fragments) {
   Real volume = 0;
   for (const Fragment& fragment : fragments) volume += fragment.volume;
   return volume;
+}
+
+/// Largest displacement until time began [m].
+Real settlement(const BlocksModel& model) {
+  Real largest = 0;
+  for (std::size_t element = 0; element < model.equilibrium.size(); ++element)
+    largest = std::max(largest, (model.equilibrium[element] - model.simulation->bodies().start[element]).norm());
+  return largest;
 }
 
 std::int64_t broken_in_shear(const methods::blocks::Joints& joints) {
@@ -250,6 +258,7 @@ std::vector<std::pair<std::string, observe::Figure>> RunRecord::results(std::int
   results.emplace_back("p80", passing_size(loose, 0.8));
   results.emplace_back("largest_fragment_volume", pieces.empty() ? 0 : pieces.front().volume);
   results.emplace_back("throw_max", farthest);
+  if (!model_->equilibrium.empty()) results.emplace_back("settlement", settlement(*model_));
   results.emplace_back("peak_speed", peak_speed_);
   if (!now.strain.empty()) results.emplace_back("peak_strain", peak_strain_);
   return results;

@@ -8,6 +8,7 @@
 #include "sazare/methods/blocks/run/identity.hpp"
 #include "sazare/methods/blocks/run/mesh_source.hpp"
 #include "sazare/methods/blocks/run/record.hpp"
+#include "sazare/methods/blocks/run/relax.hpp"
 #include "sazare/methods/blocks/run/rows/motion_rows.hpp"
 #include "sazare/methods/blocks/run/rows/rank_times.hpp"
 #include "sazare/methods/blocks/run/state_hash.hpp"
@@ -79,8 +80,15 @@ struct BlocksWork final : WorkDefaults {
   }
   Real checkpoint_interval() const { return file.as<cases::BlocksCase>().output.checkpoint_interval; }
 
+  bool settles() const { return file.as<cases::BlocksCase>().settles(); }
+
   bool start() {
-    simulation().start();
+    if (settles()) {
+      if (!relax(file.as<cases::BlocksCase>(), model, options)) return false;
+      if (options.warns && is_writer(options)) fmt::print(stderr, "{}", warn_of_relaxation(file, model));
+    } else {
+      simulation().start();
+    }
     record.watch(step());
     return true;
   }
@@ -92,7 +100,10 @@ struct BlocksWork final : WorkDefaults {
     if (is_there) record.watch(step());
     return is_there;
   }
-  std::int64_t step() const { return simulation().now().tick / schedule::base_stride; }
+  std::int64_t step() const {
+    const Instant now = simulation().now();
+    return now.has_begun() ? (now.tick - now.start) / schedule::base_stride : 0;
+  }
   bool must_check() const override {
     const bool mixed = simulation().levels().finest() > 0;  // then a base step is many
     return mixed || step() % motion_check_steps == 0;
@@ -116,6 +127,11 @@ struct BlocksWork final : WorkDefaults {
   }
   void columns(Archive& archive) {
     archive.folder("simulation", [&] { simulation().columns(archive); });
+    if (!settles()) return;
+    archive.folder("equilibrium", [&] {
+      simulation().relaxation_columns(archive);
+      archive("places", model.equilibrium);
+    });
   }
 
   std::uint64_t state_hash() const { return runs::state_hash(model); }

@@ -177,7 +177,7 @@ void Snapshots::write_elements(const Picture& picture) {
   const auto tag =
       made<std::int32_t>(count, [&](Index element) { return static_cast<std::int32_t>(geometry::element_tag(mesh, element)); });
   const observe::MadeVectors displacement{made_vectors(count, 1, [&](Index element) {
-    return std::array{Vector3(picture.now.pose[at(element)].position - bodies.start[at(element)])};
+    return std::array{Vector3(picture.now.pose[at(element)].position - model_->places_at_start()[at(element)])};
   })};
   const auto speed = made<Real>(count, [&](Index element) { return picture.now.velocity[at(element)].norm(); });
   const auto level = made<std::int32_t>(count, [&](Index element) { return std::int32_t{picture.level[at(element)]}; });

@@ -81,7 +81,7 @@ std::vector<Index> WaterLoads::first_links() const {
 void WaterLoads::evaluate(const Instant& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
   parallel::parallel_for(due.size(), serial_below, [&](std::size_t begin, std::size_t end) {
     for (const Due& link : due.subspan(begin, end - begin)) {
-      const Load load = load_on(link.link, now.seconds(), bodies);
+      const Load load = load_on(link.link, now, bodies);
       auto& slot = table_[link.link];
       if (strain_table_.exists) strain_table_[link.link].write(slot.evaluated < 0, load.strain, {});
       terms::PairForce<3> reaction;  // on the outside, the second body
@@ -92,7 +92,9 @@ void WaterLoads::evaluate(const Instant& now, std::span<const Due> due, const st
   });
 }
 
-WaterLoads::Load WaterLoads::load_on(Index body, Real time, const state::Bodies<3>& bodies) const {
+/// Until time begins the water is as it is then, but does not flow.
+WaterLoads::Load WaterLoads::load_on(Index body, const Instant& now, const state::Bodies<3>& bodies) const {
+  const Real time = std::max<Real>(0, now.seconds());
   const auto& motion = bodies.motion[at(body)];
   const Real surface = water_.surface(motion.position, time);
   Load load;
@@ -106,8 +108,10 @@ WaterLoads::Load WaterLoads::load_on(Index body, Real time, const state::Bodies<
   const Real stretch = bodies.strain.empty() ? 1 : (motion.rotation.transpose() * gradient).determinant();
   const Real mass = water_.density * volume_[at(body)] * stretch * part.share;
   const Vector3 place = part.moment / part.share;
-  const laws::WaterMotion flow = water_.motion(motion.position + gradient * place, surface, time);
+  laws::WaterMotion flow;
+  if (now.has_begun()) flow = water_.motion(motion.position + gradient * place, surface, time);
   load.add(mass * (water_.gravity * water_.up + flow.acceleration), place, gradient, motion.rotation);
+  if (!now.has_begun()) return load;
   for (std::size_t face = first_face_[at(body)]; face < first_face_[at(body) + 1]; ++face)
     if (is_washed_[face] != 0) add_drag(face, time, bodies, gradient, load);
   return load;

@@ -64,7 +64,7 @@ private:
   /// What acts on a body, about its centre.
   struct Load;
 
-  Load load_on(Index body, Real time, const state::Bodies<3>& bodies) const;
+  Load load_on(Index body, const Instant& now, const state::Bodies<3>& bodies) const;
   void add_drag(std::size_t face, Real time, const state::Bodies<3>& bodies, const Matrix3& gradient, Load& load) const;
   Real apart(const WettedFace& face, const Instant& now, const state::Bodies<3>& bodies) const;
 

@@ -128,6 +128,14 @@ void check_times(const HybridCase& hybrid) {
                        number_text(nearest_fraction(*continuum.step, *bodies.step))));
 }
 
+/// Bodies that settle would do so without the continuum.
+void check_rest(const HybridCase& hybrid) {
+  const auto* blocks = std::any_cast<BlocksCase>(&hybrid.bodies->content);
+  if (blocks == nullptr || !blocks->settles()) return;
+  refuse(*hybrid.bodies, blocks->gravity.settle ? "gravity.settle" : "initial_stress.settle",
+         "blocks of a hybrid case do not settle: without the continuum nothing holds them at the surface", "remove settle");
+}
+
 /// The water of the bodies is that before the surface.
 void check_waters(const CheckContext& context, const HybridCase& hybrid) {
   const auto* spheres = std::any_cast<SpheresCase>(&hybrid.bodies->content);
@@ -155,6 +163,7 @@ void check_hybrid(const CheckContext& context, HybridCase& hybrid) {
   check_surface(context, hybrid);
   if (!context.problems.has_errors() && hybrid.continuum && hybrid.bodies) {
     check_times(hybrid);
+    check_rest(hybrid);
     check_waters(context, hybrid);
   }
 }

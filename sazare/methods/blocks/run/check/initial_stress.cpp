@@ -145,7 +145,7 @@ std::string warn_of_initial_stress(const cases::CaseFile& file, const std::vecto
   const bool is_held = std::ranges::any_of(blocks.constraints, [](const cases::Constraint& constraint) {
     return std::ranges::any_of(constraint.translation, [](bool locked) { return locked; });
   });
-  if (!is_held && !balance.is_in_equilibrium())
+  if (!is_held && !blocks.settles() && !balance.is_in_equilibrium())
     all += warning(
         file, "initial_stress",
         fmt::format(
@@ -153,7 +153,9 @@ std::string warn_of_initial_stress(const cases::CaseFile& file, const std::vecto
             "boundary that carries them",
             force_text(balance.unbalanced, balance.largest), force_text(balance.lost, balance.largest)),
         "let the stress grow with depth as the weight does, by k0 or a vertical normal_stress_per_depth of minus density times "
-        "gravity, and give outer faces that cut through stressed ground a boundary");
+        "gravity, and give outer faces that cut through stressed ground a boundary; or add settle = true to [initial_stress], "
+        "which "
+        "lets the body find its equilibrium first");
   return all;
 }
 
@@ -164,8 +166,9 @@ std::string explain_initial_stress(const cases::BlocksCase& blocks, const geomet
   std::string text = cases::line(
       "stress", fmt::format("at the beginning {} to {} Pa, tension positive", cases::number(lowest), cases::number(highest)));
   if (balance.unloaded > 0)
-    text += cases::line("", fmt::format("{} that nothing carries lose it at once, up to {} Pa",
-                                        cases::counted(balance.unloaded, "faces"), cases::number(balance.unloaded_stress)));
+    text += cases::line(
+        "", fmt::format("{} that nothing carries lose it {}, up to {} Pa", cases::counted(balance.unloaded, "faces"),
+                        blocks.settles() ? "while the body settles" : "at once", cases::number(balance.unloaded_stress)));
   return text;
 }
 
