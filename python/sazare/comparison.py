@@ -15,12 +15,14 @@ class Comparison:
     ppv: gauge -> (first, second) peak particle velocity [m/s] of the gauges that both have;
     history: column -> largest difference relative to the largest magnitude of the first, at times that both have [-];
     same_bits: whether both final states are bit-identical; None where a state hash is missing.
+    unfinished: a sentence for each run that has not reached its end, so that final states must differ.
     """
 
     figures: dict
     ppv: dict
     history: dict
     same_bits: bool | None
+    unfinished: tuple = ()
 
     @property
     def largest_difference(self):
@@ -34,7 +36,7 @@ class Comparison:
         lines = [f"{name:<{width}}  {first:>14}  {second:>14}" for name, first, second in rows]
         lines += [f"{name:<{width}}  {first:>14}  {second:>14}  ratio {ratio}" for name, first, second, ratio in peaks]
         bits = {True: "bit-identical final states", False: "final states differ", None: "no state hash to compare"}[self.same_bits]
-        return "\n".join([*lines, f"histories differ by at most {self.largest_difference:.2e} of their largest magnitude; {bits}"])
+        return "\n".join([*lines, *self.unfinished, f"histories differ by at most {self.largest_difference:.2e} of their largest magnitude; {bits}"])
 
 
 # Columns that tell of the machine, not of the simulated body.
@@ -52,7 +54,17 @@ def compare(first, second):
         {gauge: (peaks[0][gauge], peaks[1][gauge]) for gauge in peaks[0] if gauge in peaks[1]},
         _history_differences(first.history, second.history),
         hashes[0] == hashes[1] if all(hashes) else None,
+        tuple(sentence for word, run in (("first", first), ("second", second)) if (sentence := _unfinished(word, run))),
     )
+
+
+def _unfinished(word, run):
+    """What is to be said of a run that has not reached its end."""
+    status = run.manifest.get("status")
+    if status == "done":
+        return ""
+    reached = f"{run.history['time'][-1]:.6g} s" if run.history.rows else "its beginning"
+    return f"the {word} run is not complete (status {status}, it has rows to {reached}): compare it again when it is done"
 
 
 def _ratio(first, second):

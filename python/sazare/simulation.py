@@ -130,6 +130,17 @@ def build(
     return Simulation(source, where, threads, overwrite, resume, progress, temporary, functions, forces, warns)
 
 
+def _real_numbers(given):
+    """What a caller's function of forces has returned, as an array of doubles."""
+    what = "nothing" if given is None else "complex numbers" if np.iscomplexobj(given) else None
+    if what is None:
+        try:
+            return np.ascontiguousarray(given, dtype=float)
+        except (TypeError, ValueError):
+            what = type(given).__name__
+    raise ValueError(f"forces must return real numbers, a row for each body; found {what}")
+
+
 class Simulation:
     """A case being run, made by `run` and `build`. As a context manager, it is stopped at the end of the block if it is not complete.
 
@@ -150,8 +161,11 @@ class Simulation:
         self._histories = histories_of(self._live, functions or {})
         self._forces = forces
         self._pushed_at = None  # the step at which forces were given last
+        self._asks_for_forces = False
         if forces is not None:
             self._live.require_forces()
+            if not callable(forces):
+                raise TypeError(f"forces must be a function of the simulation; found {type(forces).__name__}")
         try:
             self._prepare(0)
             self._compute(self._live.begin)
@@ -316,13 +330,17 @@ class Simulation:
 
     def _push(self):
         """Hands the caller's forces at this step to the engine; with six columns, moments too."""
-        given = self._forces(self)
-        if given is None or np.iscomplexobj(given):
-            raise ValueError(f"forces must return real numbers, a row for each body; found {'nothing' if given is None else 'complex numbers'}")
-        forces = np.ascontiguousarray(given, dtype=float)
+        if self._asks_for_forces:
+            raise RuntimeError("forces are asked for while a step is made: the function cannot advance the same simulation")
+        self._asks_for_forces = True
+        try:
+            given = self._forces(self)
+        finally:
+            self._asks_for_forces = False
+        forces = _real_numbers(given)
         bodies = len(self.positions)
         if forces.shape not in ((bodies, 3), (bodies, 6)):
-            raise ValueError(f"forces must be of shape {(bodies, 3)}, a row for each body, or {(bodies, 6)} with moments; found {forces.shape}")
+            raise ValueError(f"forces must be of shape {(bodies, 3)}, a row for each body, or {(bodies, 6)} with moments in method blocks; found {forces.shape}")
         if not np.isfinite(forces).all():
             raise ValueError(f"forces at t = {self.time} s are not all finite numbers")
         if forces.shape[1] == 3:

@@ -90,6 +90,13 @@ public:
     return is_solitary() ? solitary_motion(place, z, time) : regular_motion(place, z, time);
   }
 
+  /// Under a crest of the grown wave, at the surface, where the water is fastest [m/s].
+  Real largest_speed() const {
+    const Vector3 crest = given_.crest * given_.towards;
+    const Real time = is_solitary() ? 0 : std::ceil(std::max<Real>(given_.ramp, 0) / given_.period) * given_.period;
+    return at(crest, elevation(crest, time), time).velocity.norm();
+  }
+
 private:
   bool is_solitary() const { return given_.theory == WaveTheory::solitary; }
   Real along(const Vector3& at) const { return given_.towards.dot(at) - given_.crest; }

@@ -55,6 +55,16 @@ struct WaterField {
     return record ? level + sample(*record, time).elevation : level;
   }
 
+  /// That the water has anywhere, at any time [m/s], or somewhat less.
+  Real largest_speed() const {
+    Real speed = current.norm();
+    if (wave) speed += wave->largest_speed();
+    Real of_record = 0;
+    if (record)
+      for (const Real velocity : record->velocity) of_record = std::max(of_record, std::abs(velocity));
+    return speed + of_record;
+  }
+
   /// Of the water at a place that is not above the surface, whose elevation there is given.
   WaterMotion motion(const Vector3& at, Real surface, Real time) const {
     WaterMotion motion;

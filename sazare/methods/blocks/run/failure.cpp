@@ -105,8 +105,9 @@ std::string likely_reason(const BlocksModel& model, const cases::CaseFile& file,
     return "the loads on it (pressures in Pa, initial stress, speeds) are far beyond what an elastic element can carry: check "
            "them "
            "and youngs_modulus";
-  return "its step is stable for its joints and boundaries; check the loads on it (pressures, gravity, moving boundaries) and the "
-         "stiffness of its contacts";
+  return "its step is stable for its joints and boundaries; check the loads on it (pressures, gravity, water, moving boundaries) "
+         "and "
+         "the stiffness of its contacts, or set a shorter time.base_step";
 }
 
 }  // namespace

@@ -14,6 +14,8 @@ namespace {
 
 constexpr std::int64_t base_steps_between_looks = 8;  // at faces that come apart
 constexpr std::size_t serial_below = 256;     // an element takes some 100 ns
+constexpr Real steps_of_drag =
+    4;  // where one would be stable: a force that grows with the square of the speed then works within 1 %
 
 /// The corners of a local face.
 std::array<Vector3, 3> corners_of_face(const std::array<Vector3, 4>& corners, Index face) {
@@ -66,10 +68,25 @@ WaterLoads::WaterLoads(laws::WaterField water, Real drag_coefficient, const geom
     is_washed_.push_back(face.other_body < 0 ? 1 : 0);
     width_.push_back(std::sqrt(outward_area(corners_[at(face.body)], face.face).norm()));
   }
+  find_drag_rates(bodies);
   table_.causes = {terms::Cause::load};
   table_.slots.resize(links_.size());
   table_.incidence = terms::FixedIncidence(bodies.size(), links_);
   strain_table_ = {bodies, links_.size()};
+}
+
+/// The flow meets at most half of a body's faces.
+void WaterLoads::find_drag_rates(const state::Bodies<3>& bodies) {
+  const Real flow = water_.largest_speed();
+  for (std::size_t body = 0; body < volume_.size(); ++body) {
+    Real area = 0;
+    for (std::size_t face = first_face_[body]; face < first_face_[body + 1]; ++face)
+      area += 0.5 * outward_area(corners_[body], faces_[face].face).norm();
+    const Real mass = bodies.inertia[body].mass, drag = water_.density * drag_coefficient_ * area;  // of a speed [kg/m]
+    const Real weight = std::abs(mass - water_.density * volume_[body]) * water_.gravity;
+    const Real sinking = drag > 0 ? std::sqrt(2 * weight / drag) : 0;
+    drag_rate_.push_back(steps_of_drag * drag * (flow + sinking + bodies.motion[body].velocity.norm()) / mass);
+  }
 }
 
 std::vector<Index> WaterLoads::first_links() const {

@@ -4,13 +4,16 @@
 ///
 ///     F = rho V (g z + du/dt) + sum 1/2 rho C_D A (-n . w) w     w = u - v, over washed faces with n . w < 0
 ///
-/// with V the submerged part of the element, exactly, at whose centroid the first term acts; A the submerged area of a face, n its
-/// outward normal over |w|, v the velocity of its middle. The first term is what a pressure that grows with depth gives on all
-/// faces of an element, bonded ones as well, as pore pressure does: so joints carry effective stress, nothing changes when they
-/// break, and still water has a potential. Faces are washed where water can flow: outer ones without a ground behind them, and
-/// those between elements once they have come apart by as much as they are wide.
+/// with V the submerged part of the element, exactly, at whose centroid the first term acts; A the submerged area of a face, n
+/// its outward normal over |w|, v the velocity of its middle. The first term is what a pressure that grows with depth gives on
+/// all faces of an element, bonded ones as well, as pore pressure does: so joints carry effective stress, nothing changes when
+/// they break, and still water has a potential. Faces are washed where water can flow: outer ones without a ground behind them,
+/// and those between elements once they have come apart by as much as they are wide.
 ///
 /// Water is not carried along: there is no added mass.
+///
+/// Drag on an element alone limits its step, as a dashpot rho C_D A |w| does that all of its faces together have at the speed at
+/// which the water flows and the element sinks.
 
 #include <span>
 #include <vector>
@@ -48,7 +51,7 @@ public:
     strain_table_.gather(now, body, table_, sum);
   }
   void post_base_step(const Instant& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes&) override;
-  terms::Rates rates(Index) const override { return {}; }
+  terms::Rates rates(Index body) const override { return {0, drag_rate_[static_cast<std::size_t>(body)]}; }
   void add_energies(const terms::Synchronized<3>& at_time, terms::EnergySums& energies) const override;
   void carry(Index link, Parcel& parcel) override;
   void columns(Archive& archive) override;
@@ -64,6 +67,7 @@ private:
   /// What acts on a body, about its centre.
   struct Load;
 
+  void find_drag_rates(const state::Bodies<3>& bodies);
   Load load_on(Index body, const Instant& now, const state::Bodies<3>& bodies) const;
   void add_drag(std::size_t face, Real time, const state::Bodies<3>& bodies, const Matrix3& gradient, Load& load) const;
   Real apart(const WettedFace& face, const Instant& now, const state::Bodies<3>& bodies) const;
@@ -72,6 +76,7 @@ private:
   Real drag_coefficient_;
   std::vector<Corners> corners_;          ///< by body, unstrained, in its frame [m]
   std::vector<Real> volume_;              ///< by body, unstrained [m3]
+  std::vector<Real> drag_rate_;           ///< by body, of all its faces [1/s]
   std::vector<WettedFace> faces_;         ///< by body
   std::vector<std::size_t> first_face_;   ///< of each body, and the end
   std::vector<std::int8_t> is_washed_;    ///< by face

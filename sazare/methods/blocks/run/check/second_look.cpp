@@ -83,6 +83,17 @@ std::vector<int> held_axes(const cases::BlocksCase& blocks, const BlocksModel& m
   return held;
 }
 
+/// Whether the whole body is lighter than the water around it.
+std::string floating_text(const cases::BlocksCase& blocks, const BlocksModel& model) {
+  Real mass = 0, volume = 0;
+  for (std::size_t element = 0; element < model.material.size(); ++element) {
+    mass += model.simulation->bodies().inertia[element].mass;
+    volume += model.simulation->bodies().inertia[element].mass / blocks.materials[at(model.material[element])].density;
+  }
+  return fmt::format("its mean density is {} kg/m3, that of the water {} kg/m3: it {}", number(mass / volume),
+                     number(blocks.water.density), mass < blocks.water.density * volume ? "floats" : "sinks");
+}
+
 /// How many pieces nothing holds, with the place of the largest.
 std::string held_text(const cases::BlocksCase& blocks, const BlocksModel& model, const MeshFaces& faces) {
   const std::vector<int> held = held_axes(blocks, model, faces);
@@ -112,6 +123,8 @@ std::string held_text(const cases::BlocksCase& blocks, const BlocksModel& model,
   const bool rests = pieces.count == 1 && !blocks.initial_stress.is_zero() && model.fit.start_balance.is_in_equilibrium();
   if (rests)
     text += "; its initial stress is in equilibrium";
+  else if (blocks.water.is_there())
+    text += "; " + floating_text(blocks, model);
   else if (fall > 0)
     text += fmt::format(", which falls {} m in the time of the run where it meets nothing", number(fall));
   return line("held", text);
