@@ -158,6 +158,22 @@ TEST(water_loads, an_element_that_sinks_reaches_its_terminal_velocity) {
   EXPECT_LT(std::abs(balance.residual()), 1e-5 * balance[terms::EnergyKind::kinetic]);
 }
 
+/// Nothing else limits the step of a single element: it must not be that of the rows.
+TEST(water_loads, drag_limits_the_step_of_an_element_alone) {
+  for (const Real current : {0.0, 5.0}) {
+    cases::BlocksCase blocks = in_water(2600);
+    blocks.water.drag_coefficient = 1.2;
+    blocks.water.current = {current, 0, 0};
+    blocks.constraints = {{{"rock"}, {false, true, false}, {true, true, true}}};
+    auto model = runs::build_blocks(blocks, element(3));
+    model.simulation->start();
+    test::run(model, static_cast<int>(std::ceil(4 / model.simulation->levels().step(0))));
+    const auto balance = model.simulation->energy_balance();
+    EXPECT_LT(std::abs(balance.residual()), 0.02 * balance[terms::EnergyKind::kinetic]) << current;
+    EXPECT_LT(look_at(model).fastest, 10);
+  }
+}
+
 TEST(water_loads, a_current_meets_the_faces_that_look_against_it) {
   cases::BlocksCase blocks = in_water(2600);
   blocks.water.drag_coefficient = 1;
