@@ -210,6 +210,16 @@ def test_a_constant_force_on_finite_elements_is_a_load():
     assert np.allclose(pushed.positions, loaded.positions, atol=1e-6 * abs(loaded.velocities).max())
 
 
+def test_forces_that_are_none_are_refused_in_words():
+    with pytest.raises(TypeError, match="must be a function of the simulation; found dict"):
+        sazare.build(single_block(1.0, 100), forces={"block": lambda now: np.zeros((1, 3))})
+    with pytest.raises(ValueError, match="must return real numbers, a row for each body; found str"):
+        sazare.build(single_block(1.0, 100), forces=lambda now: "hello")
+    simulation = sazare.build(single_block(1.0, 100), forces=lambda now: np.zeros((1, 3)) if now.step < 3 else now.run())
+    with pytest.raises(RuntimeError, match="cannot advance the same simulation"):
+        simulation.run()
+
+
 def test_forces_of_a_wrong_shape_are_refused():
     with pytest.raises(ValueError, match=r"forces must be of shape \(1, 3\), .* or \(1, 6\) with moments"):
         sazare.build(single_block(1.0, 100), forces=lambda now: np.zeros(3))

@@ -165,6 +165,15 @@ def test_what_differs_between_two_runs_is_found(slab, tmp_path):
     assert "differ by at most" in str(compared)
 
 
+def test_a_run_that_is_not_complete_is_named_in_a_comparison(slab, tmp_path):
+    copy = shutil.copytree(slab, tmp_path / "run")
+    manifest = json.loads((copy / "manifest.json").read_text())
+    manifest["status"] = "stopped"
+    (copy / "manifest.json").write_text(json.dumps(manifest))
+    assert "the second run is not complete (status stopped, it has rows to 0.0005 s)" in str(sazare.compare(slab, copy))
+    assert "not complete" not in str(sazare.compare(slab, slab))
+
+
 def test_snapshots_are_found_whatever_the_method(slab):
     results = sazare.open(slab)
     assert len(results.all_snapshots) == len(results.snapshots)
