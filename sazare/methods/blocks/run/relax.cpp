@@ -132,7 +132,7 @@ private:
     simulation_.unite(away);
     if (away.empty()) return;
     throw PhysicsError(fmt::format(
-        "no equilibrium: {} {} moved away while the equilibrium was sought, as element {} at ({}) m\n"
+        "no equilibrium: {} {} moved away while the equilibrium was sought, as element {} at {} m\n"
         "  nothing holds {}: check [[boundaries]], [[constraints]] and the strength of the joints, of which {} broke, or run the "
         "case "
         "without settle to see how it moves",
