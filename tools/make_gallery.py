@@ -23,6 +23,7 @@ PICTURES = {
     "direct-shear": "cracks",
     "uniaxial-compression": "cracks",
     "brazilian-disc": "cracks",
+    "dynamic-brazilian": "cracks",
     "cylinder-blast": "cracks",
     "crater-test": "shape",
     "contour-blast": "shape",
