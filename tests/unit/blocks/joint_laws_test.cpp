@@ -36,6 +36,16 @@ void set_stiffness(ParabolicTension<P>& law, P stiffness) {
   law.stiffness = stiffness;
   law.elastic_opening = law.strength / stiffness;
 }
+template <class P>
+P failure_peak(const ParabolicTension<P>& law) {
+  return law.failure_opening;
+}
+template <class P>
+void scale_strength(ParabolicTension<P>& law, P factor, P of_length) {
+  law.strength = law.strength * factor;
+  law.elastic_opening = law.elastic_opening * factor;
+  law.failure_opening = law.failure_opening * of_length;
+}
 template <class P, class T>
 auto is_softened(const ParabolicTension<P>& law, T peak) {
   return peak > law.elastic_opening;
