@@ -19,7 +19,7 @@ cases::CaseFile block_case(std::vector<std::string> settings) {
 cases::CaseFile loose_case() {
   cases::CaseFile file = block_case();
   cases::Joint& joint = file.as<cases::BlocksCase>().joints.front();
-  joint = {.name = joint.name, .between = joint.between, .surface = "", .bonded = false, .law_parameters = {}};
+  joint = {.name = joint.name, .between = joint.between, .surface = "", .bonded = false, .law_parameters = {}, .by_rate = {}};
   return file;
 }
 
