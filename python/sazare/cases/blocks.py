@@ -118,6 +118,30 @@ class Joint(Part):
     """Coefficient of friction of a joint of law mixed_mode without cohesion. (default: the friction coefficient of the joint) At
     least 0.
     """
+    rate_law: Literal["none", "fib_2010", "malvar_ross", "cowper_symonds", "logarithmic"] | None = None
+    """How tensile strength, cohesion and fracture energies grow with the rate of strain at which the joint is opened: not, as the
+    fib Model Code 2010 or Malvar and Ross have it for concrete, or by a power or the logarithm of the rate. Default: "none".
+    """
+    rate_energy_exponent: float | None = None
+    """Power of the factor on the strength that fracture energies have: 0, they do not depend on the rate; 1, they grow as the
+    strength; 2, the process zone of a crack keeps its length. (only with a rate_law) Default: 1.0. At least 0 and at most 2.
+    """
+    static_compressive_strength: float | None = None
+    """Uniaxial compressive strength under static load, on which malvar_ross depends: weaker concrete gains more. [Pa] (required
+    for malvar_ross) Greater than 0.
+    """
+    rate_scale: float | None = None
+    """Strain rate of the rate law: that doubles the strength (cowper_symonds), or beyond which it grows (logarithmic). [1/s]
+    (required for cowper_symonds and logarithmic) Greater than 0.
+    """
+    rate_exponent: float | None = None
+    """Exponent q of Cowper and Symonds: the strength grows by the q-th root of the strain rate. (required for cowper_symonds)
+    Greater than 0.
+    """
+    rate_slope: float | None = None
+    """Growth of the strength, as a share of the static one, with every tenfold strain rate beyond rate_scale. (required for
+    logarithmic) Greater than 0.
+    """
 
 
 @dataclass(kw_only=True, eq=False)
