@@ -79,8 +79,9 @@ std::optional<Unit> powered_unit(std::string_view name) {
   return result;
 }
 
-/// Products by blank, '*' or '·'; everything after a '/' divides, as people write it: "MN·s/m3".
+/// Products by blank, '*' or '·'; everything after a '/' divides, as people write it: "MN·s/m3", "1/s".
 std::optional<Unit> parse_unit(std::string_view text) {
+  if (text.starts_with("1/")) text.remove_prefix(1);
   Unit result;
   int sign = 1;
   bool found = false;

@@ -5,6 +5,12 @@
 
 namespace sazare::methods::blocks {
 
+namespace {
+
+constexpr Real most_increase = 100;  // more than any formula gives where something was measured: keeps absurd constants finite
+
+}  // namespace
+
 StrengthByRate::StrengthByRate(std::vector<laws::DynamicIncrease> laws, std::vector<JointRate> joints)
     : laws_(std::move(laws)), joints_(std::move(joints)) {
   if (std::ranges::any_of(joints_, [](const JointRate& joint) { return joint.law >= 0; })) memory_.resize(joints_.size());
@@ -20,7 +26,8 @@ void StrengthByRate::follow(Index joint, Real seconds, Real opening, Real elasti
   }
   const Real rate = strain_per_opening * (opening - memory.opening) / (seconds - memory.time);
   const laws::DynamicIncrease& increase = laws_[at(law)];
-  memory.factor = std::max<Real>(1, std::min(increase.factor(rate), increase.largest_factor(failure_opening / elastic_opening)));
+  const Real most = std::min(most_increase, increase.largest_factor(failure_opening / elastic_opening));
+  memory.factor = std::max<Real>(1, std::min(increase.factor(rate), most));
 }
 
 void StrengthByRate::carry(Index joint, Parcel& parcel) {

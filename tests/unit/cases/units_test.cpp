@@ -47,6 +47,9 @@ TEST(Quantity, OfAnotherKindIsNotConverted) {
 
 TEST(Unit, IsKnownByItsParts) {
   EXPECT_TRUE(is_unit("kN/mm2"));
+  EXPECT_TRUE(is_unit("1/s"));
+  EXPECT_FALSE(is_unit("1"));
+  EXPECT_DOUBLE_EQ(converted({2, "1/ms"}, "1/s").value(), 2000);
   EXPECT_FALSE(is_unit(""));
   EXPECT_FALSE(is_unit("concrete"));
   EXPECT_FALSE(is_unit("/"));
