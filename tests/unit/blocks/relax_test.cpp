@@ -11,7 +11,7 @@
 #include "sazare/core/error.hpp"
 #include "sazare/geometry/face_map.hpp"
 #include "sazare/methods/blocks/run/joints/element_stress.hpp"
-#include "sazare/methods/blocks/run/relax.hpp"
+#include "sazare/methods/blocks/run/start/relax.hpp"
 #include "sazare/methods/blocks/run/state_hash.hpp"
 #include "sazare/parallel/threads.hpp"
 #include "tests/support/box_of_blocks.hpp"

@@ -8,12 +8,12 @@
 #include "sazare/methods/blocks/contacts.hpp"
 #include "sazare/methods/blocks/face_contacts.hpp"
 #include "sazare/methods/blocks/rates/coupled_rates.hpp"
-#include "sazare/methods/blocks/run/base_step.hpp"
 #include "sazare/methods/blocks/run/blasting/charges.hpp"
 #include "sazare/methods/blocks/run/joints/deformable_elements.hpp"
 #include "sazare/methods/blocks/run/joints/element_springs.hpp"
 #include "sazare/methods/blocks/run/joints/loading_rates.hpp"
 #include "sazare/methods/blocks/run/parts.hpp"
+#include "sazare/methods/blocks/run/start/base_step.hpp"
 #include "sazare/methods/blocks/run/water.hpp"
 
 namespace sazare::runs {

@@ -1,4 +1,4 @@
-#include "sazare/methods/blocks/run/base_step.hpp"
+#include "sazare/methods/blocks/run/start/base_step.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "sazare/methods/blocks/run/relax.hpp"
+#include "sazare/methods/blocks/run/start/relax.hpp"
 
 #include <fmt/format.h>
 
