@@ -24,6 +24,7 @@ PICTURES = {
     "uniaxial-compression": "cracks",
     "brazilian-disc": "cracks",
     "dynamic-brazilian": "cracks",
+    "kalthoff-winkler": "cracks",
     "cylinder-blast": "cracks",
     "crater-test": "shape",
     "contour-blast": "shape",

@@ -66,6 +66,7 @@ RUNS = {
     "direct-shear/true-faces": Run(),
     "brazilian-disc": Run(until(2e-4, "mesh.parameters.size=0.0083")),
     "dynamic-brazilian": Run(until(2e-5, "mesh.parameters.size=0.006", "mesh.parameters.bar_size=0.008")),
+    "kalthoff-winkler": Run(until(2e-5, "mesh.parameters.size=0.005")),
     "cylinder-blast": Run(until(4e-5, "mesh.parameters.size=0.018")),
     "uniaxial-compression": Run(until(2e-4, "mesh.parameters.size=0.012")),
     "free-face-blast": Run(),
