@@ -58,9 +58,12 @@ std::optional<runs::OneSide> side_of(const RunArguments& arguments, const cases:
   return runs::OneSide{side, exchange, arguments.time_out};
 }
 
-std::string resume_text(const RunArguments& arguments, const fs::path& folder) {
-  std::string text = fmt::format("sazare run {} --out {} --resume", cases::shell_word(arguments.of_case.file.string()),
-                                 cases::shell_word(folder.string()));
+std::string resume_text(const RunArguments& arguments, const fs::path& folder, const parallel::Ranks& ranks) {
+  std::string text = ranks.size() > 1 ? fmt::format("mpirun -n {} ", ranks.size()) : "";
+  text += fmt::format("sazare run {} --out {} --resume", cases::shell_word(arguments.of_case.file.string()),
+                      cases::shell_word(folder.string()));
+  if (ranks.size() > 1 && arguments.of_case.threads > 0) text += fmt::format(" --threads {}", arguments.of_case.threads);
+  if (!arguments.balance.empty()) text += fmt::format(" --balance {}", arguments.balance);
   if (!arguments.side.empty()) text += fmt::format(" --side {}", arguments.side);
   if (!arguments.exchange.empty()) text += fmt::format(" --exchange {}", cases::shell_word(arguments.exchange.string()));
   for (const std::string& setting : arguments.of_case.settings) text += fmt::format(" --set {}", cases::shell_word(setting));
@@ -95,12 +98,12 @@ int run(const RunArguments& arguments, const parallel::Ranks& ranks) {
   if (!ranks.is_first()) return outcome.stopped ? stopped : done;
   if (outcome.stopped && !outcome.begun) {
     fmt::print(stderr, "stopped before the first step, so there is nothing to resume. To run it:\n  {}\n",
-               resume_text(arguments, folder));
+               resume_text(arguments, folder, ranks));
     return stopped;
   }
   if (outcome.stopped) {
     fmt::print(stderr, "stopped at t = {} s, with a checkpoint. To resume:\n  {}\n", cases::short_number(outcome.time),
-               resume_text(arguments, folder));
+               resume_text(arguments, folder, ranks));
     return stopped;
   }
   if (!arguments.quiet)
