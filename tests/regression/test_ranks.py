@@ -254,6 +254,7 @@ def test_check_foretells_the_lock_step_of_ranks(sazare, tmp_path, policy):
     sets = [word for setting in strong for word in ("--set", setting)]
     told = sazare("check", sazare.block, "--ranks", 4, *sets)
     assert told.returncode == DONE, told.stderr
+    assert "4 ranks have fewer than 4000 elements each" in told.stdout and "take one process and threads" in told.stdout
     foretold = float(next(line.split()[1] for line in told.stdout.splitlines() if line.startswith(f"  {policy} ")))
     done = sazare.on_ranks(4, *block_run(sazare, tmp_path / "run", "--balance", policy, "--balance-interval", 10, *sets))
     assert done.returncode == DONE, done.stderr

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/levels/distribute/partition.hpp"
 #include "sazare/methods/blocks/run/mesh_source.hpp"
@@ -14,6 +16,9 @@ namespace sazare::runs {
 namespace {
 
 using distribute::Policy;
+
+constexpr Index fewest_elements =
+    4000;  // of a rank, below which messages take longer than the work, see docs/guide/threads-and-ranks.md
 
 std::string elements_text(const levels::SharingForecast& of) {
   return of.fewest == of.most ? fmt::format("{}", of.most) : fmt::format("{} to {}", of.fewest, of.most);
@@ -36,10 +41,16 @@ std::string explain(const cases::CaseFile& file, int ranks, const std::filesyste
   for (const Policy policy : {Policy::fixed, Policy::predicted, Policy::by_level})
     text += policy_text(*model.simulation, policy, ranks);
   if (distribute::has_graph_partition()) text += policy_text(*model.simulation, Policy::graph, ranks);
-  return text +
-         "  lock step: mean over the ranks of the work at a tick over the largest of it; ranks meet at every tick, so it bounds "
-         "the "
-         "efficiency\n";
+  text +=
+      "  lock step: mean over the ranks of the work at a tick over the largest of it; ranks meet at every tick, so it bounds the "
+      "efficiency\n"
+      "  measured follows the times of the run, from equal numbers of elements on, and random is for tests\n";
+  const Index most_ranks = std::max<Index>(1, model.simulation->bodies().size() / fewest_elements);
+  if (ranks > most_ranks)
+    text +=
+        fmt::format("  {} ranks have fewer than {} elements each and wait for messages longer than they work: take {}\n", ranks,
+                    fewest_elements, most_ranks == 1 ? "one process and threads" : fmt::format("{} at most", most_ranks));
+  return text;
 }
 
 }  // namespace
