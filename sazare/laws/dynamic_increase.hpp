@@ -9,7 +9,7 @@
 ///     cowper_symonds  f = 1 + (e/D)^(1/q)                        D    strain rate that doubles the strength [1/s]
 ///     logarithmic     f = 1 + C log10(e/D)          e > D        C    growth of f per tenfold rate
 ///
-/// No factor is below 1, or grows beyond that of `fastest`, since nothing was measured there.
+/// No factor is below 1. Those for concrete grow no more beyond the rate `fastest`, where nothing was measured.
 
 #include <algorithm>
 #include <array>

@@ -4,12 +4,17 @@
 """
 
 import argparse
+import sys
 import tempfile
 from pathlib import Path
 
 import numpy as np
 
 import sazare
+
+sys.path.append(str(Path(__file__).resolve().parents[2] / "common"))
+
+from bar_waves import incident_velocity
 
 CASE = Path(__file__).resolve().parents[3] / "cases/dynamic-brazilian/case.toml"
 DIAMETER, THICKNESS = 0.0408, 0.016  # m
@@ -20,12 +25,10 @@ WAVES = {5: (115e6, 120e-6, 45e-6, 115e-6, 220e-6), 10: (225e6, 55e-6, 150e-6, 3
 
 
 def wave(stress, rise, plateau, fall, end):
-    """Times [s] and velocities [m/s] of a wave that has this stress in a steel bar and enters through absorbing faces, which know the wave of the whole solid."""
-    bar_speed = np.sqrt(STEEL_YOUNG / STEEL_DENSITY)
-    solid_speed = bar_speed * np.sqrt((1.0 - STEEL_POISSON) / ((1.0 + STEEL_POISSON) * (1.0 - 2.0 * STEEL_POISSON)))
+    """Times [s] and velocities [m/s] with which a wave of this stress enters a steel bar."""
     times = np.arange(0.0, end + STEP, STEP)
     stresses = np.interp(times, np.cumsum([0.0, rise, plateau, fall]), [0.0, stress, stress, 0.0])
-    return times, stresses / (STEEL_DENSITY * bar_speed) * (bar_speed + solid_speed) / (2.0 * solid_speed)
+    return times, incident_velocity(stresses, STEEL_DENSITY, STEEL_YOUNG, STEEL_POISSON)
 
 
 def splitting_stress(speed, folder, settings):

@@ -4,12 +4,17 @@
 """
 
 import argparse
+import sys
 import tempfile
 from pathlib import Path
 
 import numpy as np
 
 import sazare
+
+sys.path.append(str(Path(__file__).resolve().parents[2] / "common"))
+
+from bar_waves import incident_velocity
 
 DENSITY, BAR_SPEED, POISSON = 2660.0, 4050.0, 0.15  # kg/m3, m/s
 YOUNG = DENSITY * BAR_SPEED**2  # Pa, as the paper has it
@@ -81,18 +86,12 @@ snapshot_interval = 1e-5
 """
 
 
-def incident_velocity(stress):
-    """Velocity of the wave that enters through absorbing faces [m/s], which know the wave of the whole solid and not that of a rod, for a stress in the rod [Pa]."""
-    solid_speed = BAR_SPEED * np.sqrt((1.0 - POISSON) / ((1.0 + POISSON) * (1.0 - 2.0 * POISSON)))
-    return stress / (DENSITY * BAR_SPEED) * (BAR_SPEED + solid_speed) / (2.0 * solid_speed)
-
-
 def free_end(folder, rate="", energy=70.0, size=0.004):
     """Time [s] and velocity [m/s] of the middle of the free end."""
     folder.mkdir(parents=True)
     (folder / "rod.geo").write_text(GEOMETRY.format(h=0.5 * WIDTH, length=LENGTH, size=size))
     times = np.arange(0.0, END + STEP, STEP)
-    wave = "\n".join(f"{time:.7g},{incident_velocity(np.interp(time, PULSE_TIME, PULSE_STRESS)):.9g}" for time in times)
+    wave = "\n".join(f"{time:.7g},{incident_velocity(np.interp(time, PULSE_TIME, PULSE_STRESS), DENSITY, YOUNG, POISSON):.9g}" for time in times)
     (folder / "wave.csv").write_text("time [s],velocity [m/s]\n" + wave + "\n")
     (folder / "case.toml").write_text(
         CASE.format(density=DENSITY, young=YOUNG, poisson=POISSON, strength=STRENGTH, energy=energy, rate=rate, end=END, gauge=LENGTH - 1e-4)
