@@ -42,11 +42,11 @@ struct FibIncrease {
 
 struct MalvarRossIncrease {
   static constexpr std::string_view word = "malvar_ross";
-  static constexpr std::array parameters{
-      LawParameter{.name = "static_compressive_strength",
-                   .unit = "Pa",
-                   .note = "required for malvar_ross",
-                   .sentence = "Uniaxial compressive strength under static load, on which malvar_ross depends: weaker concrete gains more."}};
+  static constexpr std::array parameters{LawParameter{
+      .name = "static_compressive_strength",
+      .unit = "Pa",
+      .note = "required for malvar_ross",
+      .sentence = "Uniaxial compressive strength under static load, on which malvar_ross depends: weaker concrete gains more."}};
   static constexpr Real slowest = 1e-6, bend = 1, fastest = 300;  // [1/s]
 
   static Real factor(Real rate, const std::array<Real, 1>& own) {
@@ -59,29 +59,36 @@ inline constexpr LawParameter rate_scale{
     .name = "rate_scale",
     .unit = "1/s",
     .note = "required for cowper_symonds and logarithmic",
-    .sentence = "Strain rate of the rate law: that doubles the strength (cowper_symonds), or beyond which it grows (logarithmic)."};
+    .sentence =
+        "Strain rate of the rate law: that doubles the strength (cowper_symonds), or beyond which it grows (logarithmic)."};
 
 struct CowperSymondsIncrease {
   static constexpr std::string_view word = "cowper_symonds";
   static constexpr std::array parameters{
-      rate_scale, LawParameter{.name = "rate_exponent",
-                               .unit = "",
-                               .note = "required for cowper_symonds",
-                               .sentence = "Exponent q of Cowper and Symonds: the strength grows by the q-th root of the strain rate."}};
+      rate_scale,
+      LawParameter{.name = "rate_exponent",
+                   .unit = "",
+                   .note = "required for cowper_symonds",
+                   .sentence = "Exponent q of Cowper and Symonds: the strength grows by the q-th root of the strain rate."}};
 
-  static Real factor(Real rate, const std::array<Real, 2>& own) { return 1 + std::pow(std::max<Real>(rate, 0) / own[0], 1 / own[1]); }
+  static Real factor(Real rate, const std::array<Real, 2>& own) {
+    return 1 + std::pow(std::max<Real>(rate, 0) / own[0], 1 / own[1]);
+  }
 };
 
 struct LogarithmicIncrease {
   static constexpr std::string_view word = "logarithmic";
   static constexpr std::array parameters{
       rate_scale,
-      LawParameter{.name = "rate_slope",
-                   .unit = "",
-                   .note = "required for logarithmic",
-                   .sentence = "Growth of the strength, as a share of the static one, with every tenfold strain rate beyond rate_scale."}};
+      LawParameter{
+          .name = "rate_slope",
+          .unit = "",
+          .note = "required for logarithmic",
+          .sentence = "Growth of the strength, as a share of the static one, with every tenfold strain rate beyond rate_scale."}};
 
-  static Real factor(Real rate, const std::array<Real, 2>& own) { return rate > own[0] ? 1 + own[1] * std::log10(rate / own[0]) : 1; }
+  static Real factor(Real rate, const std::array<Real, 2>& own) {
+    return rate > own[0] ? 1 + own[1] * std::log10(rate / own[0]) : 1;
+  }
 };
 
 using RateLaws = std::tuple<NoIncrease, FibIncrease, MalvarRossIncrease, CowperSymondsIncrease, LogarithmicIncrease>;

@@ -2,10 +2,12 @@
 
 /// How the strength of joints follows the rate at which they are loaded.
 ///
-///     e = c (d - d_0)/(t - t_0)          d    opening of the vertex that opens most [m]
-///     strength f(e), energy f^n          d_0  and t_0: that opening and its time, when the joint bore less than half of its static
-///     times the static one                    strength for the last time
-///                                        c    strain per opening: stiffness of the face over Young's modulus [1/m]
+///     e = c (d - d_0)/(t - t_0)
+///     strength f(e), energy f^n times the static one
+///
+/// d     opening of the vertex that opens most [m]
+/// d_0   and t_0: that opening and its time, when the joint bore less than half of its static strength for the last time
+/// c     strain per opening: stiffness of the face over Young's modulus [1/m]
 ///
 /// f is limited so that softening begins before it ends: f d_e <= d_u f^(n-1).
 ///
@@ -41,7 +43,9 @@ public:
   /// On the strength.
   Real factor(Index joint) const { return is_used() ? memory_[at(joint)].factor : 1; }
   /// On the openings and slips that use up the strength.
-  Real length_factor(Index joint) const { return has(joint) ? laws_[at(joints_[at(joint)].law)].length_factor(factor(joint)) : 1; }
+  Real length_factor(Index joint) const {
+    return has(joint) ? laws_[at(joints_[at(joint)].law)].length_factor(factor(joint)) : 1;
+  }
 
   /// Lets an intact joint have the factor of its rate; openings of the static law at which it softens and fails.
   void follow(Index joint, Real seconds, Real opening, Real elastic_opening, Real failure_opening);

@@ -9,8 +9,8 @@
 
 namespace sazare::runs {
 
-/// The rate law of each entry of [[joints]]. `faces`, whose kind is the number of their entry and which have their springs, get what
-/// they need to follow it: strain per opening by the Young's moduli of the two elements beside each, in series.
+/// The rate law of each entry of [[joints]]. `faces`, whose kind is the number of their entry and which have their springs, get
+/// what they need to follow it: strain per opening by the Young's moduli of the two elements beside each, in series.
 std::vector<laws::DynamicIncrease> add_loading_rates(const cases::BlocksCase& blocks, const std::vector<Index>& material,
                                                      std::vector<methods::blocks::JointFace>& faces);
 
