@@ -11,15 +11,44 @@
 #include <utility>
 #include <vector>
 
+#include "sazare/core/exact_sum.hpp"
 #include "sazare/neighbors/cell_order.hpp"
 #include "sazare/neighbors/sphere_pairs.hpp"
 #include "sazare/parallel/sort.hpp"
+#include "sazare/parallel/sum_over_ranges.hpp"
 #include "sazare/parallel/threads.hpp"
 
 namespace sazare::neighbors {
 
+/// Where some spheres are, and how large.
+struct SphereExtent {
+  Vector3 lower = Vector3::Constant(std::numeric_limits<Real>::infinity()), upper = -lower;
+  Real largest = 0;
+  ExactSum radii;
+
+  void add(const state::Spheres& spheres, std::size_t begin, std::size_t end) {
+    const Vector3 inverse = spheres.box.inverse();
+    for (const auto& place : std::span(spheres.place).subspan(begin, end - begin)) {
+      const Vector3 at = spheres.box.wrapped(place.centre(), inverse);
+      lower = lower.cwiseMin(at);
+      upper = upper.cwiseMax(at);
+      largest = std::max(largest, place.radius);
+      radii += place.radius;
+    }
+  }
+
+  SphereExtent& operator+=(const SphereExtent& more) {
+    lower = lower.cwiseMin(more.lower);
+    upper = upper.cwiseMax(more.upper);
+    largest = std::max(largest, more.largest);
+    radii += more.radii;
+    return *this;
+  }
+};
+
 /// Where spheres are, and how large.
 struct SphereSizes {
+  static constexpr std::size_t serial_below = 20000;
   static constexpr int most_classes = 16;
 
   Vector3 lower = Vector3::Constant(std::numeric_limits<Real>::infinity()), upper = -lower;
@@ -28,15 +57,13 @@ struct SphereSizes {
   std::array<Real, most_classes> radius{};  ///< largest of each class; 0 where it is empty
 
   explicit SphereSizes(const state::Spheres& spheres) {
-    const Vector3 inverse = spheres.box.inverse();
-    for (const auto& place : spheres.place) {
-      const Vector3 at = spheres.box.wrapped(place.centre(), inverse);
-      lower = lower.cwiseMin(at);
-      upper = upper.cwiseMax(at);
-      largest = std::max(largest, place.radius);
-      mean += place.radius;
-    }
-    mean /= static_cast<Real>(std::max<std::size_t>(spheres.size(), 1));
+    SphereExtent all;
+    parallel::sum_over_ranges(spheres.size(), serial_below, all,
+                              [&](std::size_t begin, std::size_t end, SphereExtent& part) { part.add(spheres, begin, end); });
+    lower = all.lower;
+    upper = all.upper;
+    largest = all.largest;
+    mean = all.radii.value() / static_cast<Real>(std::max<std::size_t>(spheres.size(), 1));
     for (const auto& place : spheres.place) {
       Real& most = radius[class_of(place.radius)];
       most = std::max(most, place.radius);

@@ -108,6 +108,7 @@ struct ContactSums {
   Real water_work = 0;      ///< of water in this step, but for what is carried along [J]
   Real applied_work = 0;    ///< of forces from outside in this step [J]
   Real carried_energy = 0;  ///< kinetic energy of the water that is carried along since this step, and was not before [J]
+  Real wall_work = 0;       ///< of walls in this step [J]
 
   ContactSums& operator+=(const ContactSums& more) {
     elastic += more.elastic;
@@ -122,6 +123,7 @@ struct ContactSums {
     water_work += more.water_work;
     applied_work += more.applied_work;
     carried_energy += more.carried_energy;
+    wall_work += more.wall_work;
     return *this;
   }
 };

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sazare/core/archive.hpp"
+#include "sazare/core/exact_vector.hpp"
 #include "sazare/core/time.hpp"
 #include "sazare/geometry/nodal_surface.hpp"
 #include "sazare/geometry/triangle_tree.hpp"
@@ -95,6 +96,27 @@ struct WallLoad {
     work += more.work;
     return *this;
   }
+};
+
+/// Loads of parts of the spheres on a wall, added up without rounding.
+struct WallLoadSums {
+  ExactVector force, moment;
+  ExactSum work;
+
+  WallLoadSums& operator+=(const WallLoad& more) {
+    force += more.force;
+    moment += more.moment;
+    work += more.work;
+    return *this;
+  }
+  WallLoadSums& operator+=(const WallLoadSums& more) {
+    force += more.force;
+    moment += more.moment;
+    work += more.work;
+    return *this;
+  }
+
+  WallLoad load() const { return {force.value(), moment.value(), work.value()}; }
 };
 
 }  // namespace sazare::methods::spheres

@@ -261,23 +261,21 @@ ContactSums WallContacts::evaluate(const state::Spheres& spheres, const Task& ta
   for (std::size_t begin = 0; begin < tile.points.size(); begin += lane_count)
     sums += (this->*push_some)(spheres, begin, task, tile);
   sums.dashpot_work += tile.parting_loss;
+  for (const WallLoad& load : tile.loads) sums.wall_work += load.work;
   return sums;
 }
 
-std::vector<WallLoad> WallContacts::loads(std::size_t part) const {
-  std::vector<WallLoad> total(walls_.size());
-  if (part >= parts_.size()) return total;
-  for (const Tile& tile : parts_[part])
-    for (std::size_t w = 0; w < total.size(); ++w) total[w] += tile.loads[w];
+std::vector<WallLoadSums> WallContacts::load_sums() const {
+  std::vector<WallLoadSums> total(walls_.size());
+  for (const auto& tiles : parts_)
+    for (const Tile& tile : tiles)
+      for (std::size_t w = 0; w < total.size(); ++w) total[w] += tile.loads[w];
   return total;
 }
 
 std::vector<WallLoad> WallContacts::loads() const {
-  std::vector<WallLoad> total = loads(0);
-  for (std::size_t part = 1; part < parts_.size(); ++part) {
-    const std::vector<WallLoad> more = loads(part);
-    for (std::size_t w = 0; w < total.size(); ++w) total[w] += more[w];
-  }
+  std::vector<WallLoad> total;
+  for (const WallLoadSums& sums : load_sums()) total.push_back(sums.load());
   return total;
 }
 

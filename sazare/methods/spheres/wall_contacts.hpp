@@ -87,9 +87,10 @@ public:
 
   const ContactTable& table() const { return table_; }
   const std::vector<Wall>& walls() const { return walls_; }
-  /// By wall, as last evaluated: of a part, and of all.
-  std::vector<WallLoad> loads(std::size_t part) const;
+  /// By wall, as last evaluated.
   std::vector<WallLoad> loads() const;
+  /// The same before it is rounded; sums over tiles, which do not depend on their order.
+  std::vector<WallLoadSums> load_sums() const;
   /// The largest speed of any wall within `radius` of its pivot, so anywhere near the spheres [m/s].
   Real largest_speed(Real radius) const;
 

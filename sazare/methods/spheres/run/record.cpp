@@ -10,6 +10,7 @@
 
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/core/error.hpp"
+#include "sazare/core/exact_vector.hpp"
 #include "sazare/methods/spheres/case/case.hpp"
 #include "sazare/methods/spheres/run/columns.hpp"
 #include "sazare/methods/spheres/run/pieces.hpp"
@@ -22,6 +23,20 @@ namespace sazare::runs {
 namespace {
 
 constexpr Real senseless_speed = 1e5;  // m/s; no grain moves so fast
+
+/// What a gauge tells of a group, added up without rounding: in any order of its spheres.
+struct GroupSums {
+  bool has_gauge = false;
+  ExactSum mass;
+  ExactVector place, momentum;  ///< the place times the mass
+  ExactVector force;
+
+  void add(Real own, const Vector3& centre, const Vector3& velocity) {
+    mass += own;
+    place += Vector3(own * centre);
+    momentum += Vector3(own * velocity);
+  }
+};
 
 }  // namespace
 
@@ -100,34 +115,31 @@ void SpheresRecord::observe(std::int64_t step, Real wall_seconds) {
 
 void SpheresRecord::add_gauge_row(Real time) {
   const state::Spheres& spheres = model_->stepper->spheres();
-  const std::size_t groups = file_->as<cases::SpheresCase>().spheres.size();
-  std::vector<Real> mass(groups, 0);
-  std::vector<Vector3> place(groups, Vector3::Zero()), momentum(groups, Vector3::Zero()), force(groups, Vector3::Zero());
+  std::vector<GroupSums> groups(file_->as<cases::SpheresCase>().spheres.size());
+  for (const Index g : gauge_group_) groups[static_cast<std::size_t>(g)].has_gauge = true;
   if (!gauge_group_.empty())
     for (std::size_t i = 0; i < spheres.size(); ++i) {
       const auto number = static_cast<std::size_t>(spheres.number[i]);
-      const auto g = static_cast<std::size_t>(model_->group[number]);
+      GroupSums& group = groups[static_cast<std::size_t>(model_->group[number])];
+      if (!group.has_gauge) continue;
       const Real own = model_->body[number] < 0 ? spheres.place[i].mass : 0;  // the others have that of their clump
-      mass[g] += own;
-      place[g] += own * spheres.place[i].centre();
-      momentum[g] += own * model_->stepper->velocity(i);
+      group.add(own, spheres.place[i].centre(), model_->stepper->velocity(i));
       const state::SphereLoad load = model_->stepper->load(i);
-      force[g] += Vector3(load.fx, load.fy, load.fz);
+      group.force += Vector3(load.fx, load.fy, load.fz);
     }
   const methods::spheres::SphereStepper& stepper = *model_->stepper;
   for (std::size_t c = 0; c < stepper.clumps().clumps.size(); ++c) {
     const state::Clump& clump = stepper.clumps().clumps[c];
     const auto first = static_cast<std::size_t>(stepper.clumps().members[stepper.clumps().begin_of(c)].sphere);
-    const auto g = static_cast<std::size_t>(model_->group[first]);
-    mass[g] += clump.mass;
-    place[g] += clump.mass * clump.centre;
-    momentum[g] += clump.mass * methods::spheres::velocity(clump);
+    GroupSums& group = groups[static_cast<std::size_t>(model_->group[first])];
+    if (group.has_gauge) group.add(clump.mass, clump.centre, methods::spheres::velocity(clump));
   }
   std::vector<Real> row = {time};
   for (std::size_t gauge = 0; gauge < gauge_group_.size(); ++gauge) {
-    const auto g = static_cast<std::size_t>(gauge_group_[gauge]);
-    const Vector3 centre = place[g] / mass[g], velocity = momentum[g] / mass[g];
-    for (const Vector3& value : {centre, velocity, force[g]}) row.insert(row.end(), value.begin(), value.end());
+    const GroupSums& group = groups[static_cast<std::size_t>(gauge_group_[gauge])];
+    const Real mass = group.mass.value();
+    const Vector3 centre = group.place.value() / mass, velocity = group.momentum.value() / mass;
+    for (const Vector3& value : {centre, velocity, group.force.value()}) row.insert(row.end(), value.begin(), value.end());
     peaks_[gauge] = std::max(peaks_[gauge], velocity.norm());
   }
   files_.add_row(1, row);

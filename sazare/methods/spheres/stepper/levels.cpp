@@ -30,7 +30,7 @@ SphereLevels::SphereLevels(std::vector<std::int8_t> level, const methods::sphere
   const int finest = level.empty() ? 0 : *std::ranges::max_element(level);
   if (finest > 0) level_ = std::move(level);
   for (int k = 0; k <= finest; ++k)
-    levels_.push_back({std::ldexp(base_step, -k), methods::spheres::PairContacts(table), {}, 0, {}, {}});
+    levels_.push_back({std::ldexp(base_step, -k), methods::spheres::PairContacts(table), {}, 0, 0, {}});
 }
 
 std::size_t SphereLevels::coarsest_due(std::int64_t tick) const {
@@ -138,35 +138,27 @@ void SphereLevels::evaluate(std::int64_t tick, const Scene& scene) {
   parallel::parallel_for(count, alone_below, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) levels_[tiles_[n].level].loads.gather(tiles_[n].tile, kept(n).data());
   });
-  add_up(tick);
+  count_contacts(tick);
 }
 
-void SphereLevels::add_up(std::int64_t tick) {
+void SphereLevels::count_contacts(std::int64_t tick) {
   const std::size_t coarsest = coarsest_due(tick);
-  for (std::size_t l = coarsest; l < levels_.size(); ++l) levels_[l].sums = {};
-  for (std::size_t n = 0; n < tiles_until_[coarsest]; ++n) levels_[tiles_[n].level].sums += sums_[n];
-  for (std::size_t l = coarsest; l < levels_.size(); ++l) counts_.evaluations += levels_[l].sums.contacts;
+  for (std::size_t l = coarsest; l < levels_.size(); ++l) levels_[l].contacts = 0;
+  for (std::size_t n = 0; n < tiles_until_[coarsest]; ++n) levels_[tiles_[n].level].contacts += sums_[n].contacts;
+  for (std::size_t l = coarsest; l < levels_.size(); ++l) counts_.evaluations += levels_[l].contacts;
   if (tick == 0)
-    for (const Level& level : levels_) counts_.uniform_evaluations += ticks() * level.sums.contacts;
+    for (const Level& level : levels_) counts_.uniform_evaluations += ticks() * level.contacts;
 }
 
-std::int64_t SphereLevels::add_work(std::int64_t tick, methods::spheres::ContactSums& sums) const {
-  methods::spheres::ContactSums due;
-  for (std::size_t l = coarsest_due(tick); l < levels_.size(); ++l) due += levels_[l].sums;
-  sums.dashpot_work += due.dashpot_work;
-  sums.sliding_work += due.sliding_work;
-  sums.bond_drag += due.bond_drag;
-  sums.fracture += due.fracture;
-  sums.broken += due.broken;
-  sums.water_work += due.water_work;
-  sums.applied_work += due.applied_work;
-  sums.carried_energy += due.carried_energy;
-  if (tick > 0) return due.broken;
-  sums.elastic = due.elastic;
-  sums.sliding = due.sliding;
-  sums.bonds = due.bonds;
-  sums.contacts = due.contacts;
-  return due.broken;
+std::int64_t SphereLevels::add_work(std::int64_t tick, WorkSums& sums) const {
+  const auto due = std::span(sums_).first(tiles_until_[coarsest_due(tick)]);
+  const std::int64_t broken_before = sums.broken;
+  for (const ContactSums& tile : due) sums.add(tile);
+  if (tick == 0) {
+    sums.hold_nothing();
+    for (const ContactSums& tile : due) sums.hold(tile);
+  }
+  return sums.broken - broken_before;
 }
 
 std::vector<TimedTable> SphereLevels::acting(std::size_t active_level, std::int64_t tick) const {
@@ -187,19 +179,17 @@ std::vector<TimedTable> SphereLevels::acting_until_now(std::size_t active_level)
   return tables;
 }
 
-Real SphereLevels::kick(std::int64_t tick, state::Spheres& spheres, const Kick& rules) {
+void SphereLevels::kick(std::int64_t tick, state::Spheres& spheres, const Kick& rules, ExactSum& driven_work) {
   const std::size_t coarsest = coarsest_due(tick), count = batches_until_[coarsest];
   parallel::parallel_for(count, serial_below(levels_[coarsest].spheres), [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) fly(n, tick, spheres, rules);
   });
   for (std::size_t l = coarsest; l < levels_.size(); ++l) levels_[l].speeds = {};
-  Real driven_work = 0;
   for (std::size_t n = 0; n < count; ++n) {
     levels_[batches_[n].active_level].speeds.take(speeds_[n]);
     driven_work += driven_work_[n];
   }
   count_kicks(levels_[coarsest].spheres);
-  return driven_work;
 }
 
 /// Kicks and moves a batch.

@@ -21,6 +21,7 @@
 #include "sazare/methods/spheres/pair_contacts.hpp"
 #include "sazare/methods/spheres/stepper/clump_motion.hpp"
 #include "sazare/methods/spheres/stepper/motion.hpp"
+#include "sazare/methods/spheres/stepper/work_sums.hpp"
 #include "sazare/methods/spheres/wall_contacts.hpp"
 #include "sazare/methods/spheres/water_forces.hpp"
 #include "sazare/neighbors/pair_levels.hpp"
@@ -95,14 +96,14 @@ public:
   /// Evaluates tile number `n` of the finest level; its loads add up in `own`, which is zero, and `next` comes to the cache
   /// meanwhile.
   void evaluate_tile(std::size_t n, const Scene& scene, state::SphereLoad* own, const ComingLines& next);
-  /// Adds up what the tiles due at a tick have given, after all of them; `evaluate` has done so.
-  void add_up(std::int64_t tick);
+  /// Counts the contacts of the tiles due at a tick, after all of them; `evaluate` has done so.
+  void count_contacts(std::int64_t tick);
   /// What the evaluation of a tile will read.
   ComingLines coming(const state::Spheres& spheres, std::size_t n) const;
 
-  /// Adds what the levels due have taken at a tick to the works of `sums`; at a base step also sets what contacts and bonds hold.
+  /// Adds what the tiles due have taken at a tick to the works of `sums`; at a base step also sets what contacts and bonds hold.
   /// Returns how many bonds broke.
-  std::int64_t add_work(std::int64_t tick, methods::spheres::ContactSums& sums) const;
+  std::int64_t add_work(std::int64_t tick, WorkSums& sums) const;
 
   /// What of the spheres all kicks have in common.
   struct Kick {
@@ -111,9 +112,8 @@ public:
     bool drives = false;                ///< some held sphere moves
   };
 
-  /// Kicks the spheres due at a tick that are of no clump, and moves each to its next time. Returns what driven ones brought in
-  /// [J].
-  Real kick(std::int64_t tick, state::Spheres& spheres, const Kick& rules);
+  /// Kicks the spheres due at a tick that are of no clump, and moves each to its next time. Adds what driven ones bring in [J].
+  void kick(std::int64_t tick, state::Spheres& spheres, const Kick& rules, ExactSum& driven_work);
   /// Counts the kicks of one step of all spheres, which did not go by `kick`.
   void count_kicks(std::size_t spheres) { counts_.kicks += static_cast<std::int64_t>(spheres); }
   /// Further speeds of bodies of an active level, after their kick.
@@ -154,7 +154,7 @@ private:
     methods::spheres::PairContacts pairs;
     methods::spheres::LoadTable loads;  ///< of the spheres that have this active level or a finer one
     std::size_t spheres = 0;            ///< so many: they stand before all others
-    methods::spheres::ContactSums sums;
+    std::int64_t contacts = 0;          ///< that touched when it was last evaluated
     SphereSpeeds speeds;  ///< of the bodies of this very active level since their last kick
   };
   /// A tile of a level, to be evaluated together.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "sazare/methods/spheres/stepper/stepper.hpp"
+#include "sazare/parallel/sum_over_ranges.hpp"
 
 namespace sazare::methods::spheres {
 
@@ -91,33 +92,41 @@ void SphereStepper::slow(Real kept) {
   }
 }
 
+void SphereStepper::add_unrest(std::size_t sphere, UnrestSums& sums) const {
+  const state::SpherePlace& place = spheres_.place[sphere];
+  sums.radius += place.radius;
+  if (!(spheres_.kick[sphere].inverse_mass > 0)) return;
+  sums.mass += place.mass;
+  sums.square_forces += place.mass * acceleration(sphere).squaredNorm();
+}
+
+void SphereStepper::add_unrest_of_clump(std::size_t clump, UnrestSums& sums) const {
+  const Real mass = clumps_.clumps[clump].mass;
+  Vector3 force = mass * rules_.gravity;
+  for (const auto& member : clumps_.members_of(clump)) {
+    const state::SphereLoad load = this->load(static_cast<std::size_t>(place_[static_cast<std::size_t>(member.sphere)]));
+    force += Vector3(load.fx, load.fy, load.fz);
+  }
+  sums.mass += mass;
+  sums.square_forces += force.squaredNorm() / mass;
+}
+
 /// How far the body is from rest; 1 or less where it rests. Kinetic energy is compared with what lifts all by a millionth of the
 /// mean radius, the mean acceleration, which does not forget what has just begun to fall, with a hundredth of gravity.
 Real SphereStepper::unrest() {
   constexpr Real lifted_by = 1e-6, of_gravity = 1e-2;
   evaluate_now();
-  Real mass = 0, squares = 0, radius = 0;
-  for (std::size_t i = 0; i < spheres_.size(); ++i) {
-    radius += spheres_.place[i].radius;
-    if (!(spheres_.kick[i].inverse_mass > 0)) continue;
-    mass += spheres_.place[i].mass;
-    squares += spheres_.place[i].mass * acceleration(i).squaredNorm();
-  }
-  for (std::size_t c = 0; c < clumps_.clumps.size(); ++c) {
-    const Real own = clumps_.clumps[c].mass;
-    Vector3 force = own * rules_.gravity;
-    for (const auto& member : clumps_.members_of(c)) {
-      const state::SphereLoad load = this->load(static_cast<std::size_t>(place_[static_cast<std::size_t>(member.sphere)]));
-      force += Vector3(load.fx, load.fy, load.fz);
-    }
-    mass += own;
-    squares += force.squaredNorm() / own;
-  }
-  radius /= static_cast<Real>(spheres_.size());
+  UnrestSums all;
+  parallel::sum_over_ranges(spheres_.size(), neighbors::tile_size, all,
+                            [&](std::size_t begin, std::size_t end, UnrestSums& part) {
+                              for (std::size_t i = begin; i < end; ++i) add_unrest(i, part);
+                            });
+  for (std::size_t c = 0; c < clumps_.clumps.size(); ++c) add_unrest_of_clump(c, all);
+  const Real mass = all.mass.value(), radius = all.radius.value() / static_cast<Real>(spheres_.size());
   const SphereEnergies now = energies();
   const Real gravity = rules_.gravity.norm();
   return std::max((now.translation + now.rotation) / (lifted_by * mass * gravity * radius),
-                  std::sqrt(squares / mass) / (of_gravity * gravity));
+                  std::sqrt(all.square_forces.value() / mass) / (of_gravity * gravity));
 }
 
 }  // namespace sazare::methods::spheres

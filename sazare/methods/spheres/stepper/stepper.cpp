@@ -75,10 +75,6 @@ void SphereStepper::start() {
     place_members(clumps_.clumps[c], clumps_.members_of(c), place_, spheres_);
   evaluate_now();
   for (state::Clump& clump : clumps_.clumps) methods::spheres::kick(clump, {-1 * clump.impulse_ahead, -1 * clump.turning_ahead});
-  sums_.dashpot_work = sums_.bond_drag = wall_work_ = 0;
-  sums_.water_work = 0.5 * water_work_now_;
-  sums_.applied_work = 0.5 * applied_work_now_;
-  sums_.sliding_work = sums_.sliding;  // what sliders hold at the beginning is not lost
   levels_.count_anew();
   for (std::size_t i = 0; i < spheres_.size(); ++i) {
     const Vector3 back = half_kick(i), turn_back = half_turning_kick(i);
@@ -91,7 +87,7 @@ void SphereStepper::start() {
     kick.wz -= turn_back.z();
     largest_speed_ = std::max(largest_speed_, spheres_.place[i].velocity().norm());
   }
-  sums_.carried_energy = carried_energy();
+  works_.begin(motion_energies().carried);
 }
 
 /// Evaluates what is due at a tick of a base step.
@@ -104,14 +100,7 @@ void SphereStepper::evaluate(std::int64_t tick) {
 /// Adds up what the evaluation of a tick has given.
 void SphereStepper::add_work(std::int64_t tick) {
   const std::size_t coarsest = levels_.coarsest_due(tick);
-  const Real water_work = sums_.water_work, applied_work = sums_.applied_work;
-  if (levels_.add_work(tick, sums_) > 0) part_broken(coarsest);
-  if (tick == 0) {
-    water_work_now_ = sums_.water_work - water_work;
-    applied_work_now_ = sums_.applied_work - applied_work;
-  }
-  for (std::size_t level = coarsest; level < levels_.count(); ++level)
-    for (const auto& load : walls_.loads(level)) wall_work_ += load.work;
+  if (levels_.add_work(tick, works_) > 0) part_broken(coarsest);
   if (walls_.have_surfaces())
     for (std::size_t level = coarsest; level < levels_.count(); ++level) walls_.note_passages(level);
   walls_.add_work_of_surface(rules_.step);
@@ -127,14 +116,13 @@ void SphereStepper::evaluate_now() {
 void SphereStepper::apply(std::vector<Vector3> forces) {
   if (!has_begun()) return applied_.set(std::move(forces));  // `start` evaluates them
   evaluate_now();
-  Real work = 0;
   for (std::size_t i = 0; i < spheres_.size(); ++i) {
     const Index number = spheres_.number[i];
     const Vector3 more = forces[static_cast<std::size_t>(number)] - applied_.of(number);
-    work += levels_.add_to_load(spheres_, i, more) * more.dot(spheres_.place[i].velocity());
+    const Real work = levels_.add_to_load(spheres_, i, more) * more.dot(spheres_.place[i].velocity());
+    works_.twice_applied_work += 2 * work;
+    works_.applied_work_now += work;
   }
-  sums_.applied_work += work;
-  applied_work_now_ += work;
   applied_.set(std::move(forces));
   hold_clumps();
 }
@@ -146,7 +134,7 @@ void SphereStepper::hold_clumps() {
     const SphereFlight flight{levels_.step(active_level), rules_.gravity, drift_};
     for (const Index clump : clumps_at_active_level_[active_level]) {
       const auto c = static_cast<std::size_t>(clump);
-      sums_.carried_energy += carry_water(clumps_.clumps[c], clumps_.members_of(c));
+      works_.carried_energy += carry_water(clumps_.clumps[c], clumps_.members_of(c));
       gather(clumps_.clumps[c], clumps_.members_of(c), loads, flight, place_);
     }
   }
@@ -163,7 +151,7 @@ Real SphereStepper::carry_water(state::Clump& clump, std::span<const state::Clum
 
 /// Kicks all that are due at a tick, and moves them. Returns the speeds of all.
 SphereSpeeds SphereStepper::kick(std::int64_t tick) {
-  wall_work_ += levels_.kick(tick, spheres_, {rules_.gravity, drift_, drives_});
+  levels_.kick(tick, spheres_, {rules_.gravity, drift_, drives_}, works_.wall_work);
   for (std::size_t active_level = levels_.coarsest_due(tick); active_level < clumps_at_active_level_.size(); ++active_level)
     kick_clumps(active_level, tick);
   return levels_.speeds();
@@ -186,7 +174,7 @@ void SphereStepper::kick_clumps(std::size_t active_level, std::int64_t tick) {
       place_members(clump, members, place_, spheres_);
     }
   });
-  for (const Real gained : clumps_carried_) sums_.carried_energy += gained;
+  for (const Real gained : clumps_carried_) works_.carried_energy += gained;
   SphereSpeeds speeds;
   for (const Index c : which) {
     const state::Clump& clump = clumps_.clumps[static_cast<std::size_t>(c)];
@@ -270,21 +258,7 @@ void SphereStepper::columns(Archive& archive) {
   archive("tile_approach", tile_approach_);
   archive("margin", margin_);
   archive("largest_speed", largest_speed_);
-  archive("contacts", sums_.contacts);
-  archive("elastic", sums_.elastic);
-  archive("sliding", sums_.sliding);
-  archive("dashpot_work", sums_.dashpot_work);
-  archive("sliding_work", sums_.sliding_work);
-  archive("bond_energy", sums_.bonds);
-  archive("bond_drag", sums_.bond_drag);
-  archive("fracture", sums_.fracture);
-  archive("broken_bonds", sums_.broken);
-  archive("wall_work", wall_work_);
-  archive("water_work", sums_.water_work);
-  archive("water_work_now", water_work_now_);
-  archive("applied_work", sums_.applied_work);
-  archive("applied_work_now", applied_work_now_);
-  archive("carried_energy", sums_.carried_energy);
+  archive.folder("works", [&] { works_.columns(archive); });
   archive("step_load", step_load_.load);
   archive("step_load_sphere", step_load_.sphere);
   archive("looked_at_step", looked_at_step_);

@@ -18,7 +18,9 @@
 #include "sazare/methods/spheres/pair_contacts.hpp"
 #include "sazare/methods/spheres/step_load.hpp"
 #include "sazare/methods/spheres/stepper/levels.hpp"
+#include "sazare/methods/spheres/stepper/motion_sums.hpp"
 #include "sazare/methods/spheres/stepper/tile_shares.hpp"
+#include "sazare/methods/spheres/stepper/work_sums.hpp"
 #include "sazare/methods/spheres/wall_contacts.hpp"
 #include "sazare/parallel/progress.hpp"
 #include "sazare/state/clumps.hpp"
@@ -55,6 +57,9 @@ struct SphereEnergies {
   }
 };
 
+/// From the sums of all parts.
+SphereEnergies energies_of(const WorkSums& works, const MotionEnergies& motion);
+
 /// Spheres that fall until they rest, before the beginning.
 struct RainRules {
   std::vector<std::uint8_t> rains;  ///< by number of the sphere; all or none of a clump
@@ -86,7 +91,7 @@ public:
 
   /// From `time()` on, at which forces are kept, the surface's nodes go from these places with these velocities [m; m/s].
   void lead(std::vector<Vector3> from, std::vector<Vector3> with) {
-    wall_work_ += walls_.lead(time(), rules_.step, std::move(from), std::move(with));
+    works_.wall_work += walls_.lead(time(), rules_.step, std::move(from), std::move(with));
   }
 
   /// Evaluates the beginning; call once before the first `advance`, not after a resume.
@@ -120,16 +125,20 @@ public:
   state::SphereLoad load(std::size_t sphere) const;
   Vector3 velocity(std::size_t sphere) const;
   Vector3 spin(std::size_t sphere) const;
-  SphereEnergies energies() const;
-  Vector3 momentum() const;
+  SphereEnergies energies() const { return energies_of(works_, motion_energies()); }
+  Vector3 momentum() const { return momenta().linear.value(); }
   /// About the origin [kg m2/s].
-  Vector3 angular_momentum() const;
+  Vector3 angular_momentum() const { return momenta().angular.value(); }
+  /// What these follow from, in sums of parts.
+  const WorkSums& works() const { return works_; }
+  MotionEnergies motion_energies() const;
+  Momenta momenta() const;
 
   /// Touching pairs of spheres, and of spheres and walls.
-  std::int64_t contacts() const { return sums_.contacts; }
+  std::int64_t contacts() const { return works_.contacts; }
   std::int64_t searches() const { return searches_; }
   /// Bonds that have broken so far.
-  std::int64_t broken_bonds() const { return sums_.broken; }
+  std::int64_t broken_bonds() const { return works_.broken; }
   /// The largest speed in the last step [m/s]; infinite when one is no number.
   Real largest_speed() const { return largest_speed_; }
   /// Steps of single spheres so far.
@@ -153,7 +162,9 @@ private:
   Vector3 acceleration(std::size_t sphere) const;
   Vector3 half_kick(std::size_t sphere) const;
   Vector3 half_turning_kick(std::size_t sphere) const;
-  Real carried_energy() const;
+  void add_energies(std::size_t sphere, MotionEnergies& sums) const;
+  void add_energies(const state::Clump& clump, MotionEnergies& sums) const;
+  void add_momenta(std::size_t sphere, Momenta& sums) const;
   bool is_member(std::size_t sphere) const {
     return !body_.empty() && body_[static_cast<std::size_t>(spheres_.number[sphere])] >= 0;
   }
@@ -177,8 +188,8 @@ private:
   SphereSpeeds walk();
   void walk(std::size_t share, parallel::Progress& progress);
   SphereSpeeds move(std::size_t tile, std::span<const methods::spheres::PlaceRange> places, state::SphereLoad* loads);
-  void add_work_of_driven(std::size_t begin, std::size_t end, const state::SphereLoad* loads);
-  Real driven_work() const;
+  void find_work_of_driven(std::size_t begin, std::size_t end, const state::SphereLoad* loads);
+  void add_work_of_driven();
   ComingLines coming(std::size_t tile) const;
   void ask_for_deferred(std::size_t tile) const;
   /// Which deferred tile of each share is the next one to be taken.
@@ -212,6 +223,8 @@ private:
 
   void slow(Real kept);
   Real unrest();
+  void add_unrest(std::size_t sphere, UnrestSums& sums) const;
+  void add_unrest_of_clump(std::size_t clump, UnrestSums& sums) const;
 
   state::Spheres spheres_;
   methods::spheres::WallContacts walls_;
@@ -238,10 +251,7 @@ private:
   Real smallest_radius_ = 0;  ///< [m]
   Real wall_radius_ = 0;      ///< of the spheres about the pivots of the walls [m]
   Real largest_speed_ = 0;
-  methods::spheres::ContactSums sums_;  ///< of the last evaluation; works since the start
-  Real wall_work_ = 0;
-  Real water_work_now_ = 0;           ///< of water in the last evaluation at a base step [J]
-  Real applied_work_now_ = 0;         ///< of forces from outside in the last evaluation at a base step [J]
+  WorkSums works_;
   std::vector<Real> clumps_carried_;  ///< by clump of an active level: ContactSums::carried_energy of the last kick [J]
   methods::spheres::StepLoad step_load_;
   std::int64_t looked_at_step_ = -1;  ///< when `look_at_step` did so last

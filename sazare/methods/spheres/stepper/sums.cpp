@@ -1,6 +1,7 @@
 /// What spheres have at the time of the forces kept, and what all hold together.
 
 #include "sazare/methods/spheres/stepper/stepper.hpp"
+#include "sazare/parallel/sum_over_ranges.hpp"
 
 namespace sazare::methods::spheres {
 
@@ -45,58 +46,72 @@ Vector3 SphereStepper::spin(std::size_t sphere) const {
   return Vector3(kick.wx, kick.wy, kick.wz) + half_turning_kick(sphere);
 }
 
-SphereEnergies SphereStepper::energies() const {
+SphereEnergies energies_of(const WorkSums& works, const MotionEnergies& motion) {
+  const auto without_half_of_now = [](const ExactSum& twice, const ExactSum& now) { return 0.5 * (twice.value() - now.value()); };
   SphereEnergies energies;
-  for (std::size_t i = 0; i < spheres_.size(); ++i) {
-    if (!(spheres_.kick[i].inverse_mass > 0)) continue;
-    energies.translation += 0.5 * spheres_.place[i].mass * velocity(i).squaredNorm();
-    energies.rotation += 0.5 * spheres_.inertia(i) * spin(i).squaredNorm();
-    energies.potential -= spheres_.place[i].mass * rules_.gravity.dot(spheres_.place[i].centre());
-  }
-  for (const state::Clump& clump : clumps_.clumps) {
-    const ClumpEnergies of = methods::spheres::energies(clump, rules_.gravity);
-    energies.translation += of.translation;
-    energies.rotation += of.rotation;
-    energies.potential += of.potential;
-  }
-  energies.elastic = sums_.elastic;
-  energies.sliding = sums_.sliding;
-  energies.dashpot_work = sums_.dashpot_work;
-  energies.sliding_work = sums_.sliding_work - sums_.sliding;
-  energies.wall_work = wall_work_;
-  energies.bonds = sums_.bonds;
-  energies.bond_drag = sums_.bond_drag;
-  energies.fracture = sums_.fracture;
-  energies.water_work = sums_.water_work - 0.5 * water_work_now_ + sums_.carried_energy - carried_energy();
-  energies.applied_work = sums_.applied_work - 0.5 * applied_work_now_;
+  energies.translation = motion.translation.value();
+  energies.rotation = motion.rotation.value();
+  energies.potential = motion.potential.value();
+  energies.elastic = works.elastic.value();
+  energies.sliding = works.sliding.value();
+  energies.dashpot_work = works.dashpot_work.value();
+  energies.sliding_work = works.sliding_work.value() - energies.sliding;
+  energies.wall_work = works.wall_work.value();
+  energies.bonds = works.bonds.value();
+  energies.bond_drag = works.bond_drag.value();
+  energies.fracture = works.fracture.value();
+  energies.water_work =
+      without_half_of_now(works.twice_water_work, works.water_work_now) + works.carried_energy.value() - motion.carried.value();
+  energies.applied_work = without_half_of_now(works.twice_applied_work, works.applied_work_now);
   return energies;
 }
 
-/// Kinetic energy of the water that single spheres and clumps carry along [J].
-Real SphereStepper::carried_energy() const {
-  if (water_.empty()) return 0;
-  Real twice = 0;
-  for (std::size_t i = 0; i < spheres_.size(); ++i)
-    if (spheres_.kick[i].inverse_mass > 0) twice += water_.added_mass(spheres_.number[i]) * velocity(i).squaredNorm();
-  for (const state::Clump& clump : clumps_.clumps) twice += clump.added_mass * methods::spheres::velocity(clump).squaredNorm();
-  return 0.5 * twice;
+void SphereStepper::add_energies(std::size_t sphere, MotionEnergies& sums) const {
+  if (!(spheres_.kick[sphere].inverse_mass > 0)) return;
+  const state::SpherePlace& place = spheres_.place[sphere];
+  const Real square = velocity(sphere).squaredNorm();
+  sums.translation += 0.5 * place.mass * square;
+  sums.rotation += 0.5 * spheres_.inertia(sphere) * spin(sphere).squaredNorm();
+  sums.potential -= place.mass * rules_.gravity.dot(place.centre());
+  if (!water_.empty()) sums.carried += 0.5 * water_.added_mass(spheres_.number[sphere]) * square;
 }
 
-Vector3 SphereStepper::momentum() const {
-  Vector3 total = Vector3::Zero();
-  for (std::size_t i = 0; i < spheres_.size(); ++i)
-    if (!is_member(i)) total += spheres_.place[i].mass * velocity(i);
-  for (const state::Clump& clump : clumps_.clumps) total += clump.mass * methods::spheres::velocity(clump);
-  return total;
+void SphereStepper::add_energies(const state::Clump& clump, MotionEnergies& sums) const {
+  const ClumpEnergies of = methods::spheres::energies(clump, rules_.gravity);
+  sums.translation += of.translation;
+  sums.rotation += of.rotation;
+  sums.potential += of.potential;
+  if (!water_.empty()) sums.carried += 0.5 * clump.added_mass * methods::spheres::velocity(clump).squaredNorm();
 }
 
-Vector3 SphereStepper::angular_momentum() const {
-  Vector3 total = Vector3::Zero();
-  for (std::size_t i = 0; i < spheres_.size(); ++i)
-    if (!is_member(i))
-      total += spheres_.place[i].mass * spheres_.place[i].centre().cross(velocity(i)) + spheres_.inertia(i) * spin(i);
-  for (const state::Clump& clump : clumps_.clumps) total += methods::spheres::angular_momentum(clump);
-  return total;
+MotionEnergies SphereStepper::motion_energies() const {
+  MotionEnergies sums;
+  parallel::sum_over_ranges(spheres_.size(), neighbors::tile_size, sums,
+                            [&](std::size_t begin, std::size_t end, MotionEnergies& part) {
+                              for (std::size_t i = begin; i < end; ++i) add_energies(i, part);
+                            });
+  for (const state::Clump& clump : clumps_.clumps) add_energies(clump, sums);
+  return sums;
+}
+
+void SphereStepper::add_momenta(std::size_t sphere, Momenta& sums) const {
+  if (is_member(sphere)) return;
+  const state::SpherePlace& place = spheres_.place[sphere];
+  const Vector3 momentum = place.mass * velocity(sphere);
+  sums.linear += momentum;
+  sums.angular += Vector3(place.centre().cross(momentum) + spheres_.inertia(sphere) * spin(sphere));
+}
+
+Momenta SphereStepper::momenta() const {
+  Momenta sums;
+  parallel::sum_over_ranges(spheres_.size(), neighbors::tile_size, sums, [&](std::size_t begin, std::size_t end, Momenta& part) {
+    for (std::size_t i = begin; i < end; ++i) add_momenta(i, part);
+  });
+  for (const state::Clump& clump : clumps_.clumps) {
+    sums.linear += Vector3(clump.mass * methods::spheres::velocity(clump));
+    sums.angular += methods::spheres::angular_momentum(clump);
+  }
+  return sums;
 }
 
 }  // namespace sazare::methods::spheres

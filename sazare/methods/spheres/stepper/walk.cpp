@@ -32,10 +32,10 @@ SphereSpeeds SphereStepper::walk() {
       throw;
     }
   });
-  levels_.add_up(0);
+  levels_.count_contacts(0);
   levels_.count_kicks(spheres_.size());
   add_work(0);
-  if (drives_) wall_work_ += driven_work();
+  if (drives_) add_work_of_driven();
   SphereSpeeds all;
   for (const SphereSpeeds& one : speeds_) all.take(one);
   return all;
@@ -48,30 +48,29 @@ SphereSpeeds SphereStepper::move(std::size_t tile, std::span<const methods::sphe
   const std::size_t first = levels_.loads(0).begin_of(tile);
   for (const auto& range : places) {
     const std::size_t begin = first + range.begin, end = first + range.end;
-    if (drives_) add_work_of_driven(begin, end, loads + range.begin);
+    if (drives_) find_work_of_driven(begin, end, loads + range.begin);
     speeds.take(kick_and_drift(spheres_, begin, end, loads + range.begin, {rules_.step, rules_.gravity, drift_}));
     if (!spheres_.turn.empty()) turn(spheres_, begin, end, rules_.step);
   }
   return speeds;
 }
 
-/// Adds up the work on driven spheres in groups whose sums are the same however tiles are cut.
-void SphereStepper::add_work_of_driven(std::size_t begin, std::size_t end, const state::SphereLoad* loads) {
+/// The work on driven spheres, in groups whose sums are the same however tiles are cut.
+void SphereStepper::find_work_of_driven(std::size_t begin, std::size_t end, const state::SphereLoad* loads) {
   constexpr std::size_t together = methods::spheres::LoadTable::together;
   for (std::size_t first = begin; first < end; first += together)
     driven_work_[first / together] =
         work_of_driven(spheres_, first, std::min(first + together, end), loads + (first - begin), rules_.step);
 }
 
-/// Work of the last walk on driven spheres, added up tile by tile [J].
-Real SphereStepper::driven_work() const {
+/// Adds the work of the last walk on driven spheres, added up tile by tile as `SphereLevels::kick` does.
+void SphereStepper::add_work_of_driven() {
   constexpr std::size_t of_tile = neighbors::tile_size / methods::spheres::LoadTable::together;
-  Real all = 0;
   for (std::size_t begin = 0; begin < driven_work_.size(); begin += of_tile) {
     const auto first = driven_work_.begin() + static_cast<std::ptrdiff_t>(begin);
-    all += std::accumulate(first, first + static_cast<std::ptrdiff_t>(std::min(of_tile, driven_work_.size() - begin)), Real{0});
+    const auto count = static_cast<std::ptrdiff_t>(std::min(of_tile, driven_work_.size() - begin));
+    works_.wall_work += std::accumulate(first, first + count, Real{0});
   }
-  return all;
 }
 
 /// What a tile's contacts and its kick will need.
