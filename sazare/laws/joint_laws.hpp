@@ -9,13 +9,15 @@
 /// `parameters`, from an array in their order.
 ///
 /// Every vertex of a joint has two memories: the largest opening so far, `peak`, and the slip so far. A joint of any law breaks
-/// when one of its vertices has failed. A law that softens by slip, SoftensBySlip, has a third, the path of slip, by which and by the
-/// largest opening it has a damage between 0 and 1.
+/// when one of its vertices has failed. A law that softens by slip, SoftensBySlip, has a third, the path of slip, by which and by
+/// the largest opening it has a damage between 0 and 1. A law of natural joints, DilatesBySlip, has the path too, and the
+/// dilation so far in the place of the largest opening; it is never bonded, and closes and opens as often as its sides do.
 
 #include <concepts>
 #include <optional>
 #include <tuple>
 
+#include "sazare/laws/joint_barton_bandis.hpp"
 #include "sazare/laws/joint_mixed_mode.hpp"
 #include "sazare/laws/joint_shear.hpp"
 #include "sazare/laws/joint_tension.hpp"
@@ -67,8 +69,24 @@ concept SoftensBySlip = ElasticJointLaw<Law> && requires(typename Law::template 
   { Law::shear_energy } -> std::convertible_to<std::string_view>;                   // the parameter that slip dissipates [J/m2]
 };
 
+/// A law of natural joints, which bear pressure and friction alone.
 template <class Law>
-concept JointLaw = SoftensByOpening<Law> || SoftensBySlip<Law>;
+concept DilatesBySlip = ElasticJointLaw<Law> &&
+    requires(typename Law::template Tension<Lanes> tension, typename Law::template Shear<Lanes> shear, Lanes number,
+             typename Law::template Tension<Real> closure, typename Law::template Shear<Real> rough, RoughVertex vertex) {
+  { closing_pressure(tension, number) } -> std::same_as<Lanes>;     // by the compression [Pa]
+  { least_strength(shear, number) } -> std::same_as<Lanes>;         // in shear, by the pressure [Pa]
+  { slide(closure, rough, vertex) } -> std::same_as<bool>;          // until it bears no more than its strength
+  { compression_under(closure, Real{}) } -> std::same_as<Real>;     // by the pressure [m]
+  { rough_strength(rough, Real{}, Real{}) } -> std::same_as<Real>;  // by the pressure and the share of roughness [Pa]
+};
+
+/// A law that remembers the path of slip.
+template <class Law>
+concept RemembersPath = SoftensBySlip<Law> || DilatesBySlip<Law>;
+
+template <class Law>
+concept JointLaw = SoftensByOpening<Law> || SoftensBySlip<Law> || DilatesBySlip<Law>;
 
 /// Linear softening in tension, Coulomb's slip along the face. [Konno2018], 2.1.
 struct LinearSoftening {
@@ -91,18 +109,24 @@ struct LinearSoftening {
 };
 
 /// A law that stands here can be had by every joint.
-using JointLaws = std::tuple<LinearSoftening, MixedMode>;
+using JointLaws = std::tuple<LinearSoftening, MixedMode, BartonBandis>;
 
 /// Names for the laws where none is known at compile time.
 enum class JointLawName {
   linear_softening = place_of_law<JointLaws, LinearSoftening>(),
-  mixed_mode = place_of_law<JointLaws, MixedMode>()
+  mixed_mode = place_of_law<JointLaws, MixedMode>(),
+  barton_bandis = place_of_law<JointLaws, BartonBandis>()
 };
 
 /// What `visit(Law{})` returns for the law of a name.
 template <class Visitor>
 auto visit_joint_law(JointLawName name, Visitor&& visit) {
   return visit_law_at<JointLaws>(static_cast<std::size_t>(name), std::forward<Visitor>(visit));
+}
+
+/// Whether a law is one of natural joints.
+inline bool is_natural(JointLawName name) {
+  return visit_joint_law(name, []<class Law>(Law) { return DilatesBySlip<Law>; });
 }
 
 /// What the laws take beside stiffness, damping, friction and strength; those of other laws than the chosen one are not given.

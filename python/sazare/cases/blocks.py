@@ -63,11 +63,12 @@ class Joint(Part):
     surface: str | None = None
     """Physical surface group inside the body whose faces it joins, such as a fault. (exactly one of between and surface)"""
     bonded: bool | None = None
-    """False for faces that were never bonded, such as an existing crack or a slit. Default: true."""
-    law: Literal["linear_softening", "mixed_mode"] | None = None
+    """False for faces that only touch, with the properties of [contact], such as a slit. Default: true."""
+    law: Literal["linear_softening", "mixed_mode", "barton_bandis"] | None = None
     """How a bonded joint fails. linear_softening: tension softens linearly until the joint breaks, and shear slips at the Mohr-
     Coulomb strength without end. mixed_mode: opening and slip use up one strength, each with its fracture energy, and friction
-    remains. Default: "linear_softening".
+    remains. barton_bandis: a natural rock joint, which was never bonded, closes under pressure, and dilates and wears as it
+    slips. Default: "linear_softening".
     """
     joint_normal_stiffness: float | None = None
     """Normal stiffness: normal stress per opening. [Pa/m] (required when bonded, unless its materials have youngs_modulus)
@@ -86,22 +87,22 @@ class Joint(Part):
     joint_normal_damping and joint_shear_damping) At least 0.
     """
     cohesion: float | None = None
-    """Cohesion: shear strength at zero normal stress. [Pa] (required when bonded) At least 0."""
+    """Cohesion: shear strength at zero normal stress. [Pa] (required when bonded, not for law barton_bandis) At least 0."""
     friction_coefficient: float | None = None
     """Coefficient of friction: shear strength per compressive stress. (when bonded, exactly one of friction_coefficient and
-    friction_angle) At least 0.
+    friction_angle, not for law barton_bandis) At least 0.
     """
     friction_angle: float | None = None
     """Angle whose tangent is the friction coefficient. [deg] (when bonded, exactly one of friction_coefficient and
-    friction_angle) At least 0 and less than 90.
+    friction_angle, not for law barton_bandis) At least 0 and less than 90.
     """
     tensile_strength: float | None = None
     """Tensile strength: normal stress at which softening begins; at most sqrt(2 fracture_energy k) with the normal stiffness k of
-    each face. [Pa] (required when bonded) Greater than 0.
+    each face. [Pa] (required when bonded, not for law barton_bandis) Greater than 0.
     """
     fracture_energy: float | None = None
-    """Fracture energy: energy per area that the joint dissipates when it breaks in tension. [N/m] (required when bonded) Greater
-    than 0.
+    """Fracture energy: energy per area that the joint dissipates when it breaks in tension. [N/m] (required when bonded, not for
+    law barton_bandis) Greater than 0.
     """
     weibull_modulus: float | None = None
     """Lets strengths and fracture energies scatter from face to face by Weibull's distribution with this modulus about those
@@ -117,6 +118,36 @@ class Joint(Part):
     residual_friction_coefficient: float | None = None
     """Coefficient of friction of a joint of law mixed_mode without cohesion. (default: the friction coefficient of the joint) At
     least 0.
+    """
+    jrc: float | None = None
+    """Joint roughness coefficient JRC, 0 to 20. (required for law barton_bandis) At least 0."""
+    jcs: float | None = None
+    """Joint wall compressive strength JCS. [Pa] (required for law barton_bandis) Greater than 0."""
+    residual_friction_angle: float | None = None
+    """Residual friction angle of the joint, that of a JRC of 0. [deg] (required for law barton_bandis) At least 0."""
+    joint_length: float | None = None
+    """Length of the joint in the ground, between others that cross it: its peak is at a slip of L/500 (JRC/L)^(1/3). [m]
+    (required for law barton_bandis) Greater than 0.
+    """
+    laboratory_length: float | None = None
+    """Length of the specimens that have jrc and jcs. Of a longer joint both are less, by the scale correction of Bandis. [m]
+    (default: joint_length) Greater than 0.
+    """
+    joint_aperture: float | None = None
+    """Aperture of the joint under a small stress, from which its closure is estimated. [m] (for law barton_bandis; without it and
+    tests the joint itself does not close) Greater than 0.
+    """
+    initial_normal_stiffness: float | None = None
+    """Normal stiffness K_ni with which closure of the joint begins. [Pa/m] (for law barton_bandis, with the other of the two,
+    instead of joint_aperture) Greater than 0.
+    """
+    maximum_closure: float | None = None
+    """Largest closure V_m of the joint. [m] (for law barton_bandis, with the other of the two, instead of joint_aperture) Greater
+    than 0.
+    """
+    damage_coefficient: float | None = None
+    """Damage coefficient M, 1 to 2: the dilation angle is 1/M of what roughness adds to the friction angle. (default for law
+    barton_bandis: 2) Greater than 0.
     """
     rate_law: Literal["none", "fib_2010", "malvar_ross", "cowper_symonds", "logarithmic"] | None = None
     """How tensile strength, cohesion and fracture energies grow with the rate of strain at which the joint is opened: not, as the

@@ -34,7 +34,7 @@ void preload(JointRecord& joint, const JointFace& face, const ElasticJoint& kind
   for (std::size_t v = 0; v < vertex_count; ++v) {
     const Vector3 traction = whole * (to_master * face.traction[v]);
     if (traction.isZero(0)) continue;
-    joint.vertex[v].corner[0] -= axes[0].dot(traction) / kind.normal_stiffness;
+    joint.vertex[v].corner[0] -= kind.opening_under(axes[0].dot(traction));
     for (int along : {1, 2}) joint.vertex[v].corner[along] -= axes[at(along)].dot(traction) / kind.shear_stiffness;
   }
 }
@@ -77,7 +77,7 @@ MasterCorners corners_on_master(const JointRecord& joint) {
 }  // namespace
 
 BondedFaces::BondedFaces(std::vector<ElasticJoint> kinds, std::span<const JointFace> faces, std::vector<terms::Rates> rates,
-                         std::vector<laws::DynamicIncrease> rate_laws, const state::Bodies<3>& bodies, bool some_soften_by_slip)
+                         std::vector<laws::DynamicIncrease> rate_laws, const state::Bodies<3>& bodies, bool some_remember_path)
     : elastic_(std::move(kinds)), at_face_(at(bodies.size()), {-1, -1, -1, -1}), rates_(std::move(rates)) {
   reserve_on_large_pages(records_, faces.size());
   for (const JointFace& face : faces) {
@@ -96,7 +96,7 @@ BondedFaces::BondedFaces(std::vector<ElasticJoint> kinds, std::span<const JointF
   std::vector<JointRate> loading;
   for (const JointFace& face : faces) loading.push_back(face.rate);
   by_rate_ = {std::move(rate_laws), std::move(loading)};
-  if (some_soften_by_slip) {
+  if (some_remember_path) {
     paths_.resize(faces.size());
     was_sheared_.resize(faces.size());
   }

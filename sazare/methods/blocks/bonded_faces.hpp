@@ -38,6 +38,8 @@ public:
     return own_springs_.empty() ? kind : kind.with(own_springs_[static_cast<std::size_t>(joint)]);
   }
   JointState state(Index joint) const { return record(joint).state; }
+  /// Whether a joint was never bonded.
+  bool is_natural(Index joint) const { return elastic_[static_cast<std::size_t>(record(joint).kind)].is_natural; }
   /// On the second body as last evaluated, dashpots included [N].
   Vector3 force(Index joint) const { return table_[joint].total.linear; }
 
@@ -59,7 +61,7 @@ public:
   /// Energies that a joint has dissipated and lost.
   const JointLosses& losses(Index joint) const { return losses_[static_cast<std::size_t>(joint)]; }
 
-  /// Path of slip of the vertices of a joint; none where no law softens by it.
+  /// Path of slip of the vertices of a joint; none where no law remembers it.
   std::span<const SlipPath> slip_paths() const { return paths_; }
 
   /// Joints that came apart since the last call, in rising order.
@@ -68,7 +70,7 @@ public:
 protected:
   /// `kinds` as they are at the beginning; `bodies` stand where the faces are given.
   BondedFaces(std::vector<ElasticJoint> kinds, std::span<const JointFace> faces, std::vector<terms::Rates> rates,
-              std::vector<laws::DynamicIncrease> rate_laws, const state::Bodies<3>& bodies, bool some_soften_by_slip);
+              std::vector<laws::DynamicIncrease> rate_laws, const state::Bodies<3>& bodies, bool some_remember_path);
 
   std::vector<JointRecord> records_;
   std::vector<MasterCorners> master_corners_;  ///< by joint; none where all bodies are rigid
@@ -79,7 +81,7 @@ protected:
   terms::SlotTable<3, 1, terms::FixedIncidence> table_;
   terms::StrainTable<2, 1> strain_table_;
   terms::Events failed_;         ///< joints, in the present step
-  std::vector<SlipPath> paths_;  ///< by joint; empty where no law softens by slip
+  std::vector<SlipPath> paths_;  ///< by joint; empty where no law remembers slip
   terms::Events sheared_;        ///< joints without strength that are pressed together, after the present step
 
 private:
@@ -90,7 +92,7 @@ private:
   std::vector<std::array<Index, 4>> at_face_;  ///< joint by body and local face
   std::vector<terms::Rates> rates_;
   std::vector<Index> broken_;  ///< not yet taken
-  std::vector<std::int8_t> was_sheared_;  ///< by joint; empty where no law softens by slip
+  std::vector<std::int8_t> was_sheared_;  ///< by joint; empty where no law remembers slip
   Index broken_count_ = 0;
 };
 

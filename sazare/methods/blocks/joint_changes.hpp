@@ -18,7 +18,7 @@ struct FaceGeometry {
   LaneVector opening;                                    ///< d_n, by vertex [m]
   std::array<std::array<Lanes, 2>, vertex_count> shear;  ///< d_t less the slip so far [m]
   LaneVector peak;
-  LaneVector path;  ///< of slip [m], only where the law softens by it
+  LaneVector path;  ///< of slip [m], only where the law remembers it
   Lanes vertex_area;
   std::array<Lanes, 3> spread;
 };
@@ -72,7 +72,7 @@ struct JointChange {
   LaneVector peak;                                      ///< the memory of opening as it is now
   std::array<std::array<Lanes, 2>, vertex_count> slip;  ///< what has been added to the slip
 
-  // Only of laws that soften by slip:
+  // Only of laws that remember the path of slip:
   LaneMask sheared;         ///< a vertex has lost its strength, under pressure
   Lanes opening_fracture;   ///< what fracture by opening has dissipated [J]
   Lanes shear_fracture;     ///< and by slip [J]

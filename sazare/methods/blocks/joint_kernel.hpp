@@ -15,6 +15,7 @@
 /// Everything is worked out in face axes and turned to world axes once. [Konno2018], 2.1, figs. 1 and 2.
 
 #include "sazare/levels/terms/lane_slots.hpp"
+#include "sazare/methods/blocks/joint_dilation.hpp"
 #include "sazare/methods/blocks/joint_opening_softening.hpp"
 #include "sazare/methods/blocks/joint_slip_softening.hpp"
 
@@ -42,7 +43,8 @@ template <class Law>
 std::array<LaneVector, vertex_count> spring_forces(const JointParameters<Law, Lanes>& kind, FaceGeometry& at, LaneMask& failed,
                                                    JointChange& change) {
   const LaneVector peak_before = at.peak;
-  const LaneMask softened = raise_peaks(at);
+  LaneMask softened{};
+  if constexpr (!laws::DilatesBySlip<Law>) softened = raise_peaks(at);
   LaneVector stress = tension_stress(kind, at);
   LaneVector strength;
   LaneMask changes = softened | parts(kind, at);
@@ -69,12 +71,19 @@ FaceSums springs(const JointParameters<Law, Lanes>& kind, FaceGeometry& at, Lane
   return sums;
 }
 
+/// Which joints have no dashpot: those that have failed, and natural ones that are open.
 template <class Law>
-FaceSums dashpots(const JointParameters<Law, Lanes>& kind, const FaceGeometry& at, const LaneMask& failed,
-                         const state::LaneVelocities& master, const state::LaneVelocities& slave) {
+LaneMask undamped(const JointParameters<Law, Lanes>&, const FaceGeometry& at, const LaneMask& failed) {
+  if constexpr (laws::DilatesBySlip<Law>) return failed | is_open(at, Lanes{});
+  return failed;
+}
+
+template <class Law>
+FaceSums dashpots(const JointParameters<Law, Lanes>& kind, const FaceGeometry& at, const LaneMask& without,
+                  const state::LaneVelocities& master, const state::LaneVelocities& slave) {
   const LaneVector spin = transposed(at.axes, slave.spin - master.spin);
   const LaneVector velocity = transposed(at.axes, add_cross(at.between, slave.spin, slave.velocity - master.velocity));
-  const Lanes minus = select(failed, Lanes{}, broadcast(-1));
+  const Lanes minus = select(without, Lanes{}, broadcast(-1));
   const Lanes across = minus * kind.normal_damping, along = minus * kind.shear_damping;
   const LaneVector sum = at.point[0] + at.point[1] + at.point[2], swept = cross(spin, sum);
   const Lanes across_area = across * at.vertex_area, along_area = along * at.vertex_area;
@@ -98,7 +107,8 @@ JointForce evaluate(FaceGeometry& at, const JointParameters<Law, Lanes>& kind,
                     const LanePointers<const state::Motion<3>>& masters, const LanePointers<const state::Motion<3>>& slaves,
                     const Vector3& pole, LaneMask& failed, JointChange& change) {
   const FaceSums held = springs(kind, at, failed, change);
-  const FaceSums damped = dashpots(kind, at, failed, state::load_velocities(masters), state::load_velocities(slaves));
+  const FaceSums damped =
+      dashpots(kind, at, undamped(kind, at, failed), state::load_velocities(masters), state::load_velocities(slaves));
   const LaneVector centre = at.master - broadcast(pole);
   return {face_force(at, centre, held + damped), face_force(at, centre, damped)};
 }

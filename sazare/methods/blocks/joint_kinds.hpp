@@ -45,16 +45,33 @@ static_assert(sizeof(JointSprings) == 4 * sizeof(Real));
 struct ElasticJoint : JointSprings {
   Real largest_opening = 0;  ///< beyond it the joint is not elastic any more [m]
   Real largest_stress = 0;   ///< at that opening [Pa]
+  bool is_natural = false;
+  laws::JointClosure<Real> closure{1, 0, 1};  ///< of a natural joint; its springs are those above
 
   /// The elastic joint of this kind on a face that has its own springs: the strength of the kind stays.
-  ElasticJoint with(const JointSprings& own) const { return {own, largest_stress / own.normal_stiffness, largest_stress}; }
+  ElasticJoint with(const JointSprings& own) const {
+    return {own, largest_stress / own.normal_stiffness, largest_stress, is_natural, closure};
+  }
+
+  /// The opening [m] at which it bears a normal stress, tension positive [Pa].
+  Real opening_under(Real stress) const {
+    if (!is_natural || stress > 0) return stress / normal_stiffness;
+    laws::JointClosure<Real> on_springs = closure;
+    set_stiffness(on_springs, normal_stiffness);
+    return -compression_under(on_springs, -stress);
+  }
 };
 
 template <class Law>
 ElasticJoint elastic_joint(const JointParameters<Law, Real>& kind) {
-  return {{kind.tension.stiffness, kind.shear.stiffness, kind.normal_damping, kind.shear_damping},
-          elastic_peak(kind.tension),
-          elastic_limit(kind.tension)};
+  ElasticJoint joint{{kind.tension.stiffness, kind.shear.stiffness, kind.normal_damping, kind.shear_damping},
+                     elastic_peak(kind.tension),
+                     elastic_limit(kind.tension)};
+  if constexpr (laws::DilatesBySlip<Law>) {
+    joint.is_natural = true;
+    joint.closure = kind.tension;
+  }
+  return joint;
 }
 
 template <class... Kinds>
@@ -69,11 +86,11 @@ std::vector<ElasticJoint> elastic_joints(const std::vector<Kind>& kinds) {
   return elastic;
 }
 
-/// Whether the law of some kind softens by slip.
+/// Whether the law of some kind remembers the path of slip.
 template <class... Laws>
-bool some_soften_by_slip(const std::vector<std::variant<JointParameters<Laws, Real>...>>& kinds) {
-  const auto softens = []<class Law>(const JointParameters<Law, Real>&) { return laws::SoftensBySlip<Law>; };
-  return std::ranges::any_of(kinds, [&](const auto& kind) { return std::visit(softens, kind); });
+bool some_remember_path(const std::vector<std::variant<JointParameters<Laws, Real>...>>& kinds) {
+  const auto remembers = []<class Law>(const JointParameters<Law, Real>&) { return laws::RemembersPath<Law>; };
+  return std::ranges::any_of(kinds, [&](const auto& kind) { return std::visit(remembers, kind); });
 }
 
 /// Puts the numbers of a law's part into a lane.
@@ -91,6 +108,15 @@ void set_lane(JointParameters<Law, Lanes>& lanes, int lane, const JointParameter
   set_numbers(lanes.shear, lane, kind.shear);
   lanes.normal_damping[lane] = kind.normal_damping;
   lanes.shear_damping[lane] = kind.shear_damping;
+}
+
+/// Takes the numbers of a law's part from a lane.
+template <class Single, class InLanes>
+Single lane_of(InLanes lanes, int lane) {
+  Single single;
+  std::apply([&](auto&... to) { std::apply([&](const auto&... from) { ((to = from[lane]), ...); }, lanes.numbers()); },
+             single.numbers());
+  return single;
 }
 
 /// Puts the springs of faces that have their own into their lanes.

@@ -25,7 +25,7 @@ inline constexpr std::size_t batches_ahead = 4;    // memory answers after some 
 template <class Laws>
 JointsOf<Laws>::JointsOf(const std::vector<Kind>& kinds, std::span<const JointFace> faces, std::vector<terms::Rates> rates,
                          const state::Bodies<3>& bodies, std::vector<laws::DynamicIncrease> rate_laws)
-    : BondedFaces(elastic_joints(kinds), faces, std::move(rates), std::move(rate_laws), bodies, some_soften_by_slip(kinds)),
+    : BondedFaces(elastic_joints(kinds), faces, std::move(rates), std::move(rate_laws), bodies, some_remember_path(kinds)),
       kinds_(kinds) {
   for (const JointFace& face : faces) kinds_.use(face.kind);
 }
@@ -88,7 +88,7 @@ template <class Law>
   LaneMask failed;
   const auto joint_of = [&](std::size_t lane) { return in_lanes[lane].link; };
   FaceGeometry at_face = face_geometry(LaneJoints<JointRecord>{records}, masters, slaves);
-  if constexpr (laws::SoftensBySlip<Law>) at_face.path = load_paths(joint_of);
+  if constexpr (laws::RemembersPath<Law>) at_face.path = load_paths(joint_of);
   const auto& kind = present_parameters(kinds, now, due, records, joint_of, at_face);
   const JointForce force = blocks::evaluate(at_face, kind, masters, slaves, bodies.pole, failed, change);
   terms::write(slots, now, in_lanes, force.total, force.dashpots, failed);
@@ -123,7 +123,7 @@ template <class Law>
   const LaneJoints<JointRecord> joints{records};
   FaceGeometry at_face = face_geometry(joints, masters, slaves);
   const StrainedFace strained = strain_face(joints, corners, load_strain(master_strains), load_strain(slave_strains), at_face);
-  if constexpr (laws::SoftensBySlip<Law>) at_face.path = load_paths(joint_of);
+  if constexpr (laws::RemembersPath<Law>) at_face.path = load_paths(joint_of);
   const auto& kind = present_parameters(kinds, now, due, records, joint_of, at_face);
   const StrainedJointForce found =
       blocks::evaluate_strained(at_face, strained, kind, masters, slaves, bodies.pole, failed, change);
@@ -137,7 +137,7 @@ template <class Laws>
 template <class Law>
 void JointsOf<Laws>::note_changes(const LanePointers<JointRecord>& records, std::span<const Due> due, const JointChange& change) {
   remember(records, change);
-  if constexpr (laws::SoftensBySlip<Law>) soften_by_slip(due, change);
+  if constexpr (laws::RemembersPath<Law>) follow_slip(due, change);
   add_work(due, change);
 }
 
@@ -215,9 +215,10 @@ LaneVector JointsOf<Laws>::load_paths(const JointOfLane& joint_of) const {
   return path;
 }
 
-/// What a law that softens by slip has besides: paths of slip, fracture energies, and joints that have lost their strength.
+/// What a law that remembers the path of slip has besides: paths of slip, fracture energies, and joints that have lost their
+/// strength.
 template <class Laws>
-void JointsOf<Laws>::soften_by_slip(std::span<const Due> due, const JointChange& change) {
+void JointsOf<Laws>::follow_slip(std::span<const Due> due, const JointChange& change) {
   for (std::size_t n = 0; n < due.size(); ++n) {
     const int lane = static_cast<int>(n);
     const Index joint = due[n].link;
@@ -300,8 +301,8 @@ template <class Law>
     strain_face(joints, corners, load_strain(master_strains), load_strain(slave_strains), at_face);
   }
   const auto& kind = by_rate_.is_used() ? strengthened(of_case, records, joint_of, at_face) : of_case;
-  Lanes fracture{};  // a law that softens by slip has it among its losses
-  if constexpr (laws::SoftensBySlip<Law>)
+  Lanes fracture{};  // a law that softens by slip has it among its losses, and a natural joint none
+  if constexpr (laws::RemembersPath<Law>)
     at_face.path = load_paths(joint_of);
   else if (some_soften(kind, at_face))
     fracture = fracture_work(kind, at_face);

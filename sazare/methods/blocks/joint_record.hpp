@@ -25,7 +25,7 @@ inline constexpr int vertex_count = 3;
 struct alignas(64) JointRecord {
   struct Vertex {
     Vector3 corner = Vector3::Zero();  ///< a + u_0: from the master's centre, in face axes, with the slip so far [m]
-    Real peak = 0;                     ///< largest opening, at least the one that leaves it intact [m]
+    Real peak = 0;  ///< largest opening, at least the one that leaves it intact; of a natural joint its dilation [m]
   };
 
   Vector3 normal = Vector3::UnitX();  ///< of the face, out of the master, in its body frame
@@ -78,7 +78,7 @@ struct JointLosses {
   bool is_mostly_shear() const { return shear > opening; }
 };
 
-/// Path of slip of the vertices of a joint whose law softens by slip [m].
+/// Path of slip of the vertices of a joint whose law remembers it [m].
 using SlipPath = std::array<Real, vertex_count>;
 
 /// Joints in lanes; `Record` is a JointRecord, const or not. Each part is read where it is needed: all of it together would not

@@ -57,7 +57,7 @@ private:
   void add_work(std::span<const Due> due, const JointChange& change);
   template <class JointOfLane>
   LaneVector load_paths(const JointOfLane& joint_of) const;
-  void soften_by_slip(std::span<const Due> due, const JointChange& change);
+  void follow_slip(std::span<const Due> due, const JointChange& change);
   LaneBits lanes_of(std::size_t law, Index begin, Index end) const;
   void add_energies(Index begin, Index end, const terms::Synchronized<3>& synchronized, terms::EnergySums& energies) const;
   template <class Law>

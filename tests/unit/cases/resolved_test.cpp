@@ -53,6 +53,17 @@ std::array<std::string, 3> rate_cases() {
           with("\"logarithmic\"\nrate_scale = 1e-3\nrate_slope = 0.1")};
 }
 
+/// The smallest case with a natural joint whose closure is estimated, and with one whose closure was measured.
+std::array<std::string, 2> natural_cases() {
+  const auto with = [](const std::string& own) {
+    std::string text = replaced(smallest_case(), "cohesion = 6.66e6\n", "law = \"barton_bandis\"\njrc = 10\njcs = 100e6\n" + own);
+    text = replaced(text, "friction_coefficient = 0.58\ntensile", "residual_friction_angle = 28\njoint_length = 2\ntensile");
+    return replaced(text, "tensile_strength = 6.66e6\nfracture_energy = 99.67\n", "");
+  };
+  return {with("laboratory_length = 0.1\njoint_aperture = 0.2e-3\ndamage_coefficient = 1.5\n"),
+          with("initial_normal_stiffness = 20e9\nmaximum_closure = 0.15e-3\n")};
+}
+
 /// Every number of a case is written in as many digits as it needs, so equal texts mean equal cases.
 void expect_round_trip(const CaseFolder& folder, const std::string& text) {
   const BlocksCase first = folder.read(text).as<cases::BlocksCase>();
@@ -112,11 +123,17 @@ TEST(Resolved, ReadsBackWithRateLaws) {
   for (const std::string& text : rate_cases()) expect_round_trip(folder, text);
 }
 
+TEST(Resolved, ReadsBackWithNaturalJoints) {
+  const CaseFolder folder;
+  for (const std::string& text : natural_cases()) expect_round_trip(folder, text);
+}
+
 TEST(Resolved, HoldsEveryKey) {
   const CaseFolder folder;
   std::string text = "\n" + write_resolved(folder.read(full_case()).as<cases::BlocksCase>());
   for (const std::string& wet : wet_cases()) text += write_resolved(folder.read(wet).as<cases::BlocksCase>());
   for (const std::string& of_rate : rate_cases()) text += write_resolved(folder.read(of_rate).as<cases::BlocksCase>());
+  for (const std::string& natural : natural_cases()) text += write_resolved(folder.read(natural).as<cases::BlocksCase>());
   for (const Table& table : blocks_schema()) {
     for (const Key& key : table.keys) {
       if (is_other_way(key.name)) continue;

@@ -91,6 +91,8 @@ struct Joint {
   Joint scaled(Real factor) const;
 
   bool on_surface() const { return !surface.empty(); }
+  /// Whether its law is one of natural joints, which have no strength without pressure and take no number for it.
+  bool is_natural() const { return bonded && laws::is_natural(law); }
   bool has_stiffness() const { return normal_stiffness && shear_stiffness; }
   bool follows_rate() const { return bonded && by_rate.law != laws::RateLawName::none; }
   /// Whether each of its faces has springs or dashpots that depend on the elements beside it.

@@ -8,6 +8,8 @@ namespace sazare::cases {
 
 void check_names(const CheckContext& context, const BlocksCase& blocks);
 void check_joints(const CheckContext& context, const BlocksCase& blocks);
+/// What only a natural joint takes, and what it does not.
+void check_natural_joint(const CheckContext& context, const Entry& entry, const Joint& joint);
 void check_contact(const CheckContext& context, const BlocksCase& blocks);
 void check_constraints(const CheckContext& context, const BlocksCase& blocks);
 void check_initial_stress(const CheckContext& context, const BlocksCase& blocks);

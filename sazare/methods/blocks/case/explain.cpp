@@ -69,11 +69,8 @@ void explain_law(Explanation& text, const Joint& joint) {
   });
 }
 
-void explain_joint(Explanation& text, const Joint& joint) {
-  const std::string where =
-      joint.on_surface() ? "on surface " + joint.surface : fmt::format("between {} and {}", joint.between[0], joint.between[1]);
-  text.add("joints", fmt::format("{}: {}{}", joint.name, where, joint.bonded ? "" : ", never bonded"));
-  if (!joint.bonded) return;
+/// How a bonded joint fails.
+void explain_strength(Explanation& text, const Joint& joint) {
   const Real broken = 2 * joint.fracture_energy / joint.tensile_strength;
   const std::string opening =
       joint.has_stiffness() ? fmt::format(" at an opening of {} m", number(joint.tensile_strength / *joint.normal_stiffness))
@@ -94,6 +91,40 @@ void explain_joint(Explanation& text, const Joint& joint) {
                     "of that",
                     word(joint.by_rate.law), number(joint.by_rate.factor(1)), number(joint.by_rate.factor(10)),
                     number(joint.by_rate.factor(100)), number(joint.by_rate.energy_exponent)));
+}
+
+/// What follows from the numbers of a natural joint.
+void explain_natural(Explanation& text, const Joint& joint) {
+  constexpr Real degrees = 180 / std::numbers::pi;
+  const auto own = laws::own_parameters<laws::JointLaws, laws::BartonBandis>(joint.law_parameters);
+  struct {
+    Real normal_stiffness = 1, shear_stiffness = 1;
+  } const springs;
+  const auto rough = laws::BartonBandis::shear(springs, own);
+  std::vector<std::string> friction;
+  for (const Real pressure : {1e5, 1e6, 1e7})
+    friction.push_back(fmt::format("{} deg under {}",
+                                   number(std::atan(laws::rough_strength(rough, pressure, 1) / pressure) * degrees, 3),
+                                   stress_text(pressure)));
+  text.more(fmt::format("natural: JRC {} and JCS {} at its length, friction angle at the peak {}",
+                        number(laws::BartonBandis::roughness_of(own), 3), stress_text(rough.wall_strength),
+                        fmt::join(friction, ", ")));
+  text.more(fmt::format("peak at a slip of {} m", number(rough.peak_slip, 3)));
+  const Real closure = laws::BartonBandis::closure_of(own);
+  text.more(closure > 0 ? fmt::format("closes by up to {} m, at first with {} Pa/m", number(closure, 3),
+                                      number(laws::BartonBandis::initial_stiffness_of(own), 3))
+                        : "does not close but by its springs");
+}
+
+void explain_joint(Explanation& text, const Joint& joint) {
+  const std::string where =
+      joint.on_surface() ? "on surface " + joint.surface : fmt::format("between {} and {}", joint.between[0], joint.between[1]);
+  text.add("joints", fmt::format("{}: {}{}", joint.name, where, joint.bonded ? "" : ", never bonded"));
+  if (!joint.bonded) return;
+  if (joint.is_natural())
+    explain_natural(text, joint);
+  else
+    explain_strength(text, joint);
   explain_law(text, joint);
   const std::string springs = joint.has_stiffness() ? fmt::format("springs {} and {} Pa/m", number(*joint.normal_stiffness),
                                                                   number(*joint.shear_stiffness))

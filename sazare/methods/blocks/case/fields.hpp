@@ -89,12 +89,15 @@ void visit_fields(Visitor& visit, Joint& joint) {
     visit("joint_normal_damping", joint.normal_damping);
     visit("joint_shear_damping", joint.shear_damping);
   }
-  visit("cohesion", joint.cohesion);
-  visit.friction(joint.friction_coefficient);
-  visit("tensile_strength", joint.tensile_strength);
-  visit("fracture_energy", joint.fracture_energy);
+  if (!joint.is_natural()) {
+    visit("cohesion", joint.cohesion);
+    visit.friction(joint.friction_coefficient);
+    visit("tensile_strength", joint.tensile_strength);
+    visit("fracture_energy", joint.fracture_energy);
+  }
   for (std::size_t n = 0; n < joint.law_parameters.size(); ++n)
     visit(laws::parameters_of_laws<laws::JointLaws>[n].name, joint.law_parameters[n]);
+  if (joint.is_natural()) return;
   visit("rate_law", joint.by_rate.law);
   for (std::size_t n = 0; n < joint.by_rate.parameters.size(); ++n)
     visit(laws::parameters_of_laws<laws::RateLaws>[n].name, joint.by_rate.parameters[n]);

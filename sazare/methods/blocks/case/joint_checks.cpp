@@ -230,7 +230,8 @@ void check_damping(const CheckContext& context, const Entry& entry) {
           "keep damping_ratio, which suits elements of any size, or joint_normal_damping and joint_shear_damping");
 }
 
-void check_bonded(const CheckContext& context, const Entry& entry, const Joint& joint, const BlocksCase& blocks) {
+/// What every joint with strength gives.
+void check_strengths(const CheckContext& context, const Entry& entry, const Joint& joint, const BlocksCase& blocks) {
   for (std::string_view key : keys_of_bonded) {
     if (entry.has(key)) continue;
     const bool half_strength = key == "fracture_energy" && entry.has("tensile_strength");
@@ -242,13 +243,19 @@ void check_bonded(const CheckContext& context, const Entry& entry, const Joint& 
                              how_to_add(*find_key(*entry.table, key)) + " Needed unless bonded = false.");
   }
   check_friction(context, entry);
+  check_rate_law(context, entry, joint, blocks);
+}
+
+void check_bonded(const CheckContext& context, const Entry& entry, const Joint& joint, const BlocksCase& blocks) {
+  const bool has_strength = !joint.is_natural() || !entry.is_sound("law");
+  if (has_strength) check_strengths(context, entry, joint, blocks);
   check_stiffness(context, entry, joint, blocks);
   check_damping(context, entry);
+  if (entry.is_sound("law")) check_parameters_of<laws::JointLaws>(context, entry, "law", joint.law);
+  if (!has_strength) return check_natural_joint(context, entry, joint);
   if (entry.has("scatter_seed") && !entry.has("weibull_modulus"))
     context.problems.error(entry.place("scatter_seed"), "scatter_seed without weibull_modulus",
                            "add weibull_modulus, with which strengths scatter, or remove scatter_seed");
-  if (entry.is_sound("law")) check_parameters_of<laws::JointLaws>(context, entry, "law", joint.law);
-  check_rate_law(context, entry, joint, blocks);
   laws::visit_joint_law(joint.law, [&](auto law) { check_numbers_of(law, context, entry, joint); });
   if (entry.gives("tensile_strength") && entry.gives("fracture_energy") && entry.gives("joint_normal_stiffness"))
     check_strength(context, entry, joint);

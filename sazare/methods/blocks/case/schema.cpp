@@ -19,7 +19,9 @@ constexpr std::string_view with_motion = "not for kind fixed";
 constexpr std::array<std::string_view, 2> level_choices{"per_element", "uniform"};
 constexpr std::array<std::string_view, 3> limiters{"stability", "travel", "none"};
 
-constexpr std::string_view when_bonded = "required when bonded";
+constexpr std::string_view when_bonded = "required when bonded, not for law barton_bandis";
+constexpr std::string_view one_friction =
+    "when bonded, exactly one of friction_coefficient and friction_angle, not for law barton_bandis";
 constexpr std::string_view without_moduli = "required when bonded, unless its materials have youngs_modulus";
 constexpr std::string_view with_poisson_ratio = "with poisson_ratio, instead of the stiffnesses of joints";
 constexpr std::string_view with_young_modulus = "with youngs_modulus, instead of the stiffnesses of joints";
@@ -81,14 +83,16 @@ constexpr std::array leading_joint_keys{
     Key{.name = "bonded",
         .type = Type::boolean,
         .default_text = "true",
-        .sentence = "False for faces that were never bonded, such as an existing crack or a slit."},
+        .sentence = "False for faces that only touch, with the properties of [contact], such as a slit."},
     Key{.name = "law",
         .type = Type::choice,
         .default_text = "\"linear_softening\"",
         .sentence =
             "How a bonded joint fails. linear_softening: tension softens linearly until the joint breaks, and shear slips at "
             "the Mohr-Coulomb strength without end. mixed_mode: opening and slip use up one strength, each with its fracture "
-            "energy, and friction remains.",
+            "energy, and friction remains. barton_bandis: a natural rock joint, which was never bonded, closes under pressure, "
+            "and "
+            "dilates and wears as it slips.",
         .choices = laws::words_of_laws<laws::JointLaws>},
     Key{.name = "joint_normal_stiffness",
         .type = Type::number,
@@ -132,14 +136,14 @@ constexpr std::array leading_joint_keys{
     Key{.name = "friction_coefficient",
         .type = Type::number,
         .range = not_negative,
-        .note = "when bonded, exactly one of friction_coefficient and friction_angle",
+        .note = one_friction,
         .sentence = "Coefficient of friction: shear strength per compressive stress."},
     Key{.name = "friction_angle",
         .type = Type::number,
         .unit = "deg",
         .range = {.low = 0, .high = 90, .high_open = true},
         .usual = usual::friction_angle,
-        .note = "when bonded, exactly one of friction_coefficient and friction_angle",
+        .note = one_friction,
         .sentence = "Angle whose tangent is the friction coefficient."},
     Key{.name = "tensile_strength",
         .type = Type::number,

@@ -65,10 +65,10 @@ using VertexForces = std::array<LaneVector, vertex_count>;
 
 template <class Law>
 VertexForces vertex_dashpots(const JointParameters<Law, Lanes>& kind, const FaceGeometry& at, const StrainedFace& face,
-                             const LaneMask& failed, const state::LaneVelocities& master, const state::LaneVelocities& slave) {
+                             const LaneMask& without, const state::LaneVelocities& master, const state::LaneVelocities& slave) {
   const LaneVector spin = transposed(at.axes, slave.spin - master.spin);
   const LaneVector velocity = transposed(at.axes, add_cross(at.between, slave.spin, slave.velocity - master.velocity));
-  const Lanes minus = select(failed, Lanes{}, -at.vertex_area);
+  const Lanes minus = select(without, Lanes{}, -at.vertex_area);
   const Lanes across = minus * kind.normal_damping, along = minus * kind.shear_damping;
   VertexForces forces;
   for (std::size_t v = 0; v < vertex_count; ++v) {
@@ -118,8 +118,8 @@ StrainedJointForce evaluate_strained(FaceGeometry& at, const StrainedFace& face,
                                      const LanePointers<const state::Motion<3>>& slaves, const Vector3& pole, LaneMask& failed,
                                      JointChange& change) {
   VertexForces total = spring_forces(kind, at, failed, change);
-  const VertexForces damped =
-      vertex_dashpots(kind, at, face, failed, state::load_velocities(masters), state::load_velocities(slaves));
+  const VertexForces damped = vertex_dashpots(kind, at, face, undamped(kind, at, failed), state::load_velocities(masters),
+                                              state::load_velocities(slaves));
   for (std::size_t v = 0; v < vertex_count; ++v) total[v] = total[v] + damped[v];
   const LaneVector centre = at.master - broadcast(pole);
   return {{face_force(at, centre, sums_of(at, total)), face_force(at, centre, sums_of(at, damped))},

@@ -43,7 +43,8 @@ FragmentMap find_fragments(Index elements, const methods::blocks::Joints& joints
   const auto links = joints.links();
   for (Index joint = 0; joint < joints.count(); ++joint) {
     const auto [first, second] = links[at(joint)];
-    if (!sets.are_joined(first, second) && !is_crack(joints.state(joint))) sets.join(first, second);
+    if (sets.are_joined(first, second) || is_crack(joints.state(joint)) || joints.is_natural(joint)) continue;
+    sets.join(first, second);
   }
   FragmentMap map;
   map.of_element.reserve(at(elements));

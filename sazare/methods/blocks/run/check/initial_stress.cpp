@@ -21,15 +21,31 @@ namespace {
 
 constexpr Real round_off = 1e-6;
 
+/// Stress over strength, which may be 0.
+Real ratio_of(Real stress, Real strength) {
+  if (stress <= 0) return 0;
+  return strength > 0 ? stress / strength : std::numeric_limits<Real>::infinity();
+}
+
+/// The largest shear strength of a joint under a normal stress, tension positive: of a natural one at its peak [Pa].
+Real shear_strength_of(const cases::Joint& joint, Real normal_stress) {
+  if (!joint.is_natural()) return joint.cohesion - joint.friction_coefficient * normal_stress;
+  return std::visit(
+      [&]<class Law>(const methods::blocks::JointParameters<Law, Real>& kind) {
+        if constexpr (laws::DilatesBySlip<Law>) return rough_strength(kind.shear, std::max(-normal_stress, Real{0}), Real{1});
+        return Real{0};
+      },
+      make_joint_kind(joint));
+}
+
 /// Stress over strength at the corners of a face, the worst.
 Real overstress(const cases::Joint& joint, const methods::blocks::JointFace& face) {
   const Vector3 normal = area_vector(face.corners).normalized();
   Real worst = 0;
   for (const Vector3& traction : face.traction) {
     const Real across = normal.dot(traction), along = (traction - across * normal).norm();
-    const Real shear_strength = joint.cohesion - joint.friction_coefficient * across;
-    worst = std::max(worst, across / joint.tensile_strength);
-    if (along > 0) worst = std::max(worst, shear_strength > 0 ? along / shear_strength : std::numeric_limits<Real>::infinity());
+    const Real tension = across > round_off * along ? across : 0;
+    worst = std::max({worst, ratio_of(tension, joint.tensile_strength), ratio_of(along, shear_strength_of(joint, across))});
   }
   return worst;
 }

@@ -36,7 +36,7 @@ std::string describe_process_zones(const cases::BlocksCase& blocks, const Blocks
   }
   std::string text;
   for (std::size_t i = 0; i < found.size(); ++i)
-    if (blocks.joints[i].bonded && found[i].softest > 0 && found[i].longest > 0)
+    if (blocks.joints[i].bonded && !blocks.joints[i].is_natural() && found[i].softest > 0 && found[i].longest > 0)
       text += cases::line(text.empty() ? "cracks" : "", text_of(blocks.joints[i], found[i]));
   return text;
 }
