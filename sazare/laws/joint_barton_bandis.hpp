@@ -2,16 +2,20 @@
 
 /// A natural rock joint by Barton and Bandis, per unit of area: it closes under pressure, and dilates and wears as it slips.
 ///
-///     c = s/k + s V_m/(K_ni V_m + s)                normal: compression c of the springs of the elements and of the joint in
-///     series c = w - d                                     no stress where that is below 0 |t| <= s tan(phi_r + i) shear i =
-///     m(q/q_p) JRC log10(JCS/s)                 at least 0, and phi_r + i at most 70 degrees q_p = L/500 (JRC/L)^(1/3) dw =
-///     tan(i/M) dq
+///     c = s/k + s V_m/(K_ni V_m + s)      normal: compression of the springs of the elements and of the joint in series,
+///     c = w - d                           no stress where c is below 0
+///     |t| <= s tan(phi_r + i)             shear
+///     i = m(q/q_p) JRC log10(JCS/s)       at least 0, and phi_r + i at most 70 degrees
+///     q_p = L/500 (JRC/L)^(1/3)           slip at the peak [m]
+///     dw = tan(i/M) dq                    dilation
 ///
-/// s    normal stress, pressure positive [Pa]        JRC, JCS  roughness coefficient [-] and wall strength [Pa], of the length L
-/// [m] d    opening [m]                                  phi_r     residual friction angle w    dilation so far [m] q path of
-/// slip under pressure so far [m] k    stiffness of the springs [Pa/m]              q_p       slip at the peak [m] V_m  largest
-/// closure [m]                          m         mobilised share of JRC, `mobilised_roughness` K_ni stiffness when closing
-/// begins [Pa/m]         M         damage coefficient, 1 to 2 [-]
+///     s     normal stress, pressure positive [Pa]     JRC, JCS  roughness coefficient [-] and wall strength [Pa]
+///     t     shear stress [Pa]                         L         length to which these belong [m]
+///     d     opening [m]                               phi_r     residual friction angle
+///     w     dilation so far [m]                       V_m       largest closure [m]
+///     q     path of slip under pressure so far [m]    K_ni      stiffness with which closing begins [Pa/m]
+///     k     stiffness of the springs [Pa/m]           M         damage coefficient, 1 to 2 [-]
+///     m     mobilised share of JRC, see `mobilised_roughness`
 ///
 /// Strength and its cap: N. Barton, V. Choubey, Rock Mechanics 10, 1977. q_p, m and the dilation angle i/M: N. Barton, S. Bandis,
 /// K. Bakhtar, Int. J. Rock Mech. Min. Sci. 22, 1985. Closure, K_ni and V_m: S. Bandis, A. Lumsden, N. Barton, Int. J. Rock Mech.
