@@ -1,6 +1,6 @@
 /// Contact of the true faces of blocks, through whole simulations.
 
-#include "sazare/methods/blocks/face_contacts.hpp"
+#include "sazare/methods/blocks/true_faces/face_contacts.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include "sazare/core/error.hpp"
 #include "sazare/levels/terms/gravity.hpp"
 #include "sazare/methods/blocks/contacts.hpp"
-#include "sazare/methods/blocks/face_contacts.hpp"
+#include "sazare/methods/blocks/true_faces/face_contacts.hpp"
 #include "sazare/methods/blocks/rates/coupled_rates.hpp"
 #include "sazare/methods/blocks/run/blasting/charges.hpp"
 #include "sazare/methods/blocks/run/joints/deformable_elements.hpp"

@@ -1,4 +1,4 @@
-#include "sazare/methods/blocks/node_stars.hpp"
+#include "sazare/methods/blocks/true_faces/node_stars.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "sazare/methods/blocks/face_contacts.hpp"
+#include "sazare/methods/blocks/true_faces/face_contacts.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -9,7 +9,7 @@
 
 #include "sazare/geometry/tetrahedron_overlap.hpp"
 #include "sazare/laws/face_overlap.hpp"
-#include "sazare/methods/blocks/node_stars.hpp"
+#include "sazare/methods/blocks/true_faces/node_stars.hpp"
 #include "sazare/methods/blocks/block_contacts.hpp"
 
 namespace sazare::methods::blocks {
