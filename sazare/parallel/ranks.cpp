@@ -191,12 +191,19 @@ std::int64_t Ranks::from_first(std::int64_t number) const {
 
 void Ranks::exchange(const std::vector<Message>& sent, std::vector<Message>& received, Topic topic) const {
   Wait wait(*this);
-  std::vector<MPI_Request> requests(sent.size() + received.size(), MPI_REQUEST_NULL);
-  std::size_t next = 0;
+  std::vector<MPI_Request> requests;
+  const auto for_parts = [&](std::size_t size, auto&& begin_part) {  // they arrive in the order in which they are sent
+    for (std::size_t done = 0; done == 0 || done < size; done += largest_part)
+      begin_part(done, count_of(std::min(largest_part, size - done)), &requests.emplace_back(MPI_REQUEST_NULL));
+  };
   for (Message& message : received)
-    MPI_Irecv(message.bytes.data(), count_of(message.bytes.size()), MPI_BYTE, message.rank, 0, MPI_COMM_WORLD, &requests[next++]);
+    for_parts(message.bytes.size(), [&](std::size_t at, int count, MPI_Request* request) {
+      MPI_Irecv(message.bytes.data() + at, count, MPI_BYTE, message.rank, 0, MPI_COMM_WORLD, request);
+    });
   for (const Message& message : sent) {
-    MPI_Isend(message.bytes.data(), count_of(message.bytes.size()), MPI_BYTE, message.rank, 0, MPI_COMM_WORLD, &requests[next++]);
+    for_parts(message.bytes.size(), [&](std::size_t at, int bytes, MPI_Request* request) {
+      MPI_Isend(message.bytes.data() + at, bytes, MPI_BYTE, message.rank, 0, MPI_COMM_WORLD, request);
+    });
     count(topic, message.bytes.size(), 1);
   }
   wait(requests);
