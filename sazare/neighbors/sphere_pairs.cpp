@@ -67,7 +67,8 @@ private:
 /// Looks for pairs in the size classes of a body.
 class Search {
 public:
-  Search(const state::Spheres& spheres, Real margin) : spheres_(spheres), margin_(margin), box_(spheres.box) {
+  Search(const state::Spheres& spheres, Real margin, std::span<const std::uint8_t> is_wanted)
+      : spheres_(spheres), margin_(margin), is_wanted_(is_wanted), box_(spheres.box) {
     const SphereSizes sizes(spheres);
     std::array<std::vector<Index>, SphereSizes::most_classes> members;
     class_.resize(spheres.size());
@@ -95,6 +96,7 @@ public:
       mixed.insert(mixed.end(), tile.mixed.begin(), tile.mixed.end());
       tile.mixed = {};
     }
+    std::erase_if(mixed, [&](const auto& pair) { return !is_wanted(static_cast<std::size_t>(pair.first) / tile_size); });
     parallel::sort(mixed);
     cells_.clear();
     return join(std::move(found), mixed);
@@ -107,9 +109,13 @@ private:
     std::vector<std::pair<Index, Index>> mixed;
   };
 
+  bool is_wanted(std::size_t tile) const { return is_wanted_.empty() || is_wanted_[tile] != 0; }
+
+  /// A tile that is not wanted may have small spheres beside larger ones of one that is.
   void look(std::size_t number, std::vector<Around>& around, Tile& tile) const {
     std::vector<Index> near;
     const std::size_t end = std::min((number + 1) * tile_size, spheres_.size());
+    if (!is_wanted(number) && cells_.size() == 1) return tile.counts.resize(end - number * tile_size, 0);
     for (std::size_t i = number * tile_size; i < end; ++i) {
       const auto& own = spheres_.place[i];
       const auto sphere = static_cast<Index>(i);
@@ -117,6 +123,7 @@ private:
       for (std::size_t c = 0; c <= own_class; ++c) {
         around[c].move_to(cells_[c], own.centre(), cells_.size() == 1 && cells_[c].stands_in_order);
         const std::span found(near.data(), around[c].find_near(spheres_, box_, own, margin_, near));
+        if (c == own_class && !is_wanted(number)) continue;
         if (c == own_class)
           std::ranges::copy_if(found, std::back_inserter(tile.other), [&](Index j) { return j > sphere; });
         else
@@ -151,6 +158,7 @@ private:
 
   const state::Spheres& spheres_;
   Real margin_;
+  std::span<const std::uint8_t> is_wanted_;
   state::BoxLanes<Lanes> box_;
   std::vector<std::uint8_t> class_;
   std::array<std::size_t, SphereSizes::most_classes> number_{};  ///< of a class in `cells_`
@@ -206,6 +214,20 @@ void put_in_order(state::Spheres& spheres, const std::vector<Index>& order) {
   });
 }
 
-SpherePairs find_pairs(const state::Spheres& spheres, Real margin) { return Search(spheres, margin).run(); }
+void keep_wanted(SpherePairs& pairs, std::span<const std::uint8_t> is_wanted) {
+  std::uint32_t kept = 0;
+  for (std::size_t i = 0, from = 0; i + 1 < pairs.first.size(); ++i) {
+    const std::size_t to = pairs.first[i + 1];
+    pairs.first[i] = kept;
+    for (; from < to; ++from)
+      if (is_wanted[i / tile_size] != 0) pairs.other[kept++] = pairs.other[from];
+  }
+  if (!pairs.first.empty()) pairs.first.back() = kept;
+  pairs.other.resize(kept);
+}
+
+SpherePairs find_pairs(const state::Spheres& spheres, Real margin, std::span<const std::uint8_t> is_wanted) {
+  return Search(spheres, margin, is_wanted).run();
+}
 
 }  // namespace sazare::neighbors

@@ -3,6 +3,8 @@
 /// Pairs of spheres that may touch before anything has moved by more than a margin, and an order of spheres in which neighbours
 /// stand near each other. Spheres of any sizes: each size class (a factor of two) has its own grid of cells.
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "sazare/state/spheres.hpp"
@@ -27,7 +29,11 @@ std::vector<Index> places_after(const std::vector<Index>& order);
 /// Sorts spheres: the n-th becomes what `order[n]` was.
 void put_in_order(state::Spheres& spheres, const std::vector<Index>& order);
 
-/// All pairs whose surfaces are nearer than the margin [m]. Each pair once, by the nearest image in a periodic box.
-SpherePairs find_pairs(const state::Spheres& spheres, Real margin);
+/// Drops the pairs whose first sphere is in a tile that is not wanted.
+void keep_wanted(SpherePairs& pairs, std::span<const std::uint8_t> is_wanted);
+
+/// All pairs whose surfaces are nearer than the margin [m]. Each pair once, by the nearest image in a periodic box. Where
+/// `is_wanted` is given, by tile, those alone whose first sphere is in a wanted tile.
+SpherePairs find_pairs(const state::Spheres& spheres, Real margin, std::span<const std::uint8_t> is_wanted = {});
 
 }  // namespace sazare::neighbors

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <set>
+#include <span>
+#include <vector>
 
 namespace sazare::neighbors {
 namespace {
@@ -54,6 +57,30 @@ Pairs by_hand(const state::Spheres& spheres, Real margin) {
         pairs.insert({static_cast<Index>(i), static_cast<Index>(j)});
     }
   return pairs;
+}
+
+/// Each wanted tile has the pairs, in the same order, of a search in all tiles; the others have none.
+void expect_wanted_pairs(const SpherePairs& all, const SpherePairs& some, std::span<const std::uint8_t> is_wanted) {
+  ASSERT_EQ(some.first.size(), all.first.size());
+  for (std::size_t i = 0; i + 1 < all.first.size(); ++i) {
+    const std::vector<Index> expected(all.other.begin() + all.first[i], all.other.begin() + all.first[i + 1]),
+        pairs(some.other.begin() + some.first[i], some.other.begin() + some.first[i + 1]);
+    EXPECT_EQ(pairs, is_wanted[i / tile_size] != 0 ? expected : std::vector<Index>{});
+  }
+}
+
+TEST(sphere_pairs, of_wanted_tiles_are_those_of_a_search_in_all) {
+  for (const Real largest : {0.02, 0.08}) {
+    auto spheres = scattered(4000, 0.02, largest, {1, 1, 1});
+    put_in_order(spheres, order_by_cell(spheres, 0.01));
+    const SpherePairs all = find_pairs(spheres, 0.01);
+    for (const std::array<std::uint8_t, 4>& wanted : {std::array<std::uint8_t, 4>{1, 0, 1, 0}, {0, 1, 0, 1}, {0, 0, 0, 1}}) {
+      expect_wanted_pairs(all, find_pairs(spheres, 0.01, wanted), wanted);
+      SpherePairs kept = all;
+      keep_wanted(kept, wanted);
+      expect_wanted_pairs(all, kept, wanted);
+    }
+  }
 }
 
 TEST(sphere_pairs, are_all_pairs_of_one_size) {
