@@ -221,8 +221,10 @@ private:
 
   RunOutcome end() {
     const bool done = is_over();
-    if (!done) save_checkpoint();
-    work_.collect();
+    if (done)
+      work_.collect();
+    else
+      save_checkpoint();  // which has collected
     if (writes()) write_the_end(done);
     say_farewell(done ? coupling::Farewell::done : coupling::Farewell::stopped);
     return {!done, true, time(), manifest_};
