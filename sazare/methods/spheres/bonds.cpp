@@ -12,6 +12,12 @@ namespace sazare::methods::spheres {
 
 namespace {
 
+/// What a bond remembers.
+struct BondMemory {
+  Index bond = 0;
+  Real largest_use = 0, energy_before = 0;
+};
+
 /// Largest frequency squared of a bond whose ends have these masses and inertias [1/s2].
 Real largest_frequency_squared(const laws::BondStiffness<Real>& bond, const std::array<Real, 2>& inverse_mass,
                                const std::array<Real, 2>& inverse_inertia) {
@@ -40,24 +46,40 @@ Bonds::Bonds(std::vector<Bond> bonds, std::vector<laws::BondStrength<Real>> kind
   for (const Bond& bond : bonds_) traits_.damped = traits_.damped || bond.damping.along > 0;
 }
 
-void Bonds::collect() {
+void Bonds::collect(const RankTiles* ranks) {
   if (!traits_.breaks) return;
+  std::vector<BondMemory> known;
   for (const BondLinks& links : levels_)
-    for (std::size_t link = 0; link < links.source.size(); ++link) {
-      if (links.source[link] == BondLinks::filler) continue;
-      Bond& bond = bonds_[static_cast<std::size_t>(links.source[link])];
-      bond.largest_use = links.largest_use[link];
-      bond.energy_before = links.energy_before[link];
+    for (std::size_t tile = 0; tile < links.broken.size(); ++tile) {
+      if (ranks != nullptr && !ranks->owners().owns(tile)) continue;
+      for (std::size_t link = links.ends.begin[tile]; link < links.ends.begin[tile + 1]; ++link)
+        if (links.source[link] != BondLinks::filler)
+          known.push_back({links.source[link], links.largest_use[link], links.energy_before[link]});
     }
+  if (ranks != nullptr) known = ranks->join(known, parallel::Topic::search);
+  for (const BondMemory& of : known) {
+    Bond& bond = bonds_[static_cast<std::size_t>(of.bond)];
+    bond.largest_use = of.largest_use;
+    bond.energy_before = of.energy_before;
+  }
 }
 
-void Bonds::note_broken(std::size_t level, std::size_t link) {
-  const BondLinks& links = levels_[level];
-  bonds_[static_cast<std::size_t>(links.source[link])].largest_use = links.largest_use[link];
+std::vector<Bonds::Broken> Bonds::take_broken(std::size_t coarsest, const RankTiles* ranks) {
+  std::vector<Broken> all;
+  for (std::size_t level = coarsest; level < levels_.size(); ++level)
+    for (const auto& tile : levels_[level].broken)
+      for (const BrokenLink& one : tile)
+        all.push_back({level, one.link, levels_[level].largest_use[one.link], one.allowed_overlap});
+  if (ranks != nullptr) {
+    all = ranks->join(all, parallel::Topic::changes);
+    std::ranges::sort(all, {}, [](const Broken& one) { return std::array{one.level, one.link}; });  // as one process finds them
+  }
+  for (const Broken& one : all)
+    bonds_[static_cast<std::size_t>(levels_[one.level].source[one.link])].largest_use = one.largest_use;
+  return all;
 }
 
 void Bonds::drop_broken() {
-  collect();
   for (std::size_t n = 0; n < bonds_.size(); ++n) bonds_[n].gone = is_broken(n) ? 1 : 0;
 }
 
@@ -103,10 +125,7 @@ ContactSums Bonds::evaluate(const state::Spheres& spheres, const Task& task) {
   return damped ? evaluate_with<false, true>(spheres, task) : evaluate_with<false, false>(spheres, task);
 }
 
-void Bonds::columns(Archive& archive) {
-  if (!archive.reading()) collect();
-  archive("bonds", bonds_);
-}
+void Bonds::columns(Archive& archive) { archive("bonds", bonds_); }
 
 std::vector<Real> stable_steps(std::span<const Bond> bonds, const state::Spheres& spheres) {
   std::vector<Real> shares(spheres.size(), 0);

@@ -7,6 +7,7 @@
 
 #include "sazare/methods/spheres/bond_links.hpp"
 #include "sazare/methods/spheres/contact_table.hpp"
+#include "sazare/methods/spheres/ranks/rank_tiles.hpp"
 
 namespace sazare::methods::spheres {
 
@@ -23,10 +24,12 @@ public:
   /// once.
   const std::vector<Bond>& bonds() const { return bonds_; }
   const std::vector<laws::BondStrength<Real>>& kinds() const { return kinds_; }
-  /// Takes back what the columns know.
-  void collect();
+  /// Takes back what the columns know; those of all ranks where several share the spheres, which all call it.
+  void collect(const RankTiles* ranks);
 
-  /// Forgets the bonds that have broken; `arrange` is to follow.
+  /// Whether any may break.
+  bool may_break() const { return traits_.breaks; }
+  /// Forgets the bonds that have broken, of which all is collected; `arrange` is to follow.
   void drop_broken();
   /// Time levels of the spheres; a bond has the finer one of its two.
   struct Levels {
@@ -49,9 +52,16 @@ public:
   /// Adds the forces of a tile's bonds of a level to the loads.
   ContactSums evaluate(const state::Spheres& spheres, const Task& task);
 
-  /// To be called for each link of a level that has broken.
-  void note_broken(std::size_t level, std::size_t link);
+  /// A link of a level that has broken, and the overlap beyond which alone its spheres push each other [m].
+  struct Broken {
+    std::size_t level = 0, link = 0;
+    Real largest_use = 0, allowed_overlap = 0;
+  };
+  /// Those that broke at the last evaluation of the levels from a coarsest one on, which it notes; of all ranks, which all call
+  /// it.
+  std::vector<Broken> take_broken(std::size_t coarsest, const RankTiles* ranks);
 
+  /// What is written must have been collected.
   void columns(Archive& archive);
 
 private:

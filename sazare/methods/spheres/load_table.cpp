@@ -20,13 +20,15 @@ void collect_ghosts(std::span<const Index> seconds, Index last, std::vector<Inde
 
 }  // namespace
 
-void LoadTable::arrange(const neighbors::SpherePairs& pairs, const TileLinks& bonds) {
+void LoadTable::arrange(const neighbors::SpherePairs& pairs, const TileLinks& bonds, const OfRanks& ranks) {
   spheres_ = pairs.first.size() - 1;
   tiles_ = (spheres_ + neighbors::tile_size - 1) / neighbors::tile_size;
   forget();
   std::vector<std::vector<Index>> ghosts(tiles_);
+  const auto is_here = [&](std::size_t tile) { return ranks.is_own.empty() || ranks.is_own[tile] != 0; };
   parallel::parallel_for(tiles_, 2, [&](std::size_t begin, std::size_t end) {
     for (std::size_t tile = begin; tile < end; ++tile) {
+      if (!is_here(tile)) continue;
       const auto last = static_cast<Index>(end_of(tile));
       const std::size_t first_pair = pairs.first[begin_of(tile)], last_pair = pairs.first[end_of(tile)];
       collect_ghosts(std::span(pairs.other).subspan(first_pair, last_pair - first_pair), last, ghosts[tile]);
@@ -35,6 +37,7 @@ void LoadTable::arrange(const neighbors::SpherePairs& pairs, const TileLinks& bo
                        ghosts[tile]);
     }
   });
+  if (ranks.complete) ranks.complete(ghosts);
   ghost_begin_.assign(1, 0);
   for (const auto& list : ghosts) ghost_begin_.push_back(ghost_begin_.back() + list.size());
   ghost_.clear();
@@ -48,7 +51,7 @@ void LoadTable::arrange(const neighbors::SpherePairs& pairs, const TileLinks& bo
         visited_[tile].push_back(home);
   bond_slot_.resize(bonds.second.size());
   for (std::size_t tile = 0; tile + 1 < bonds.begin.size(); ++tile)
-    for (std::size_t bond = bonds.begin[tile]; bond < bonds.begin[tile + 1]; ++bond)
+    for (std::size_t bond = bonds.begin[tile]; is_here(tile) && bond < bonds.begin[tile + 1]; ++bond)
       bond_slot_[bond] = slot(tile, bonds.second[bond]);
   share_out({0, tiles_});
 }

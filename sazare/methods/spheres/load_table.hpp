@@ -11,6 +11,7 @@
 /// writes to a line of the cache that another one reads.
 
 #include <algorithm>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -36,8 +37,14 @@ public:
   /// Spheres that are deferred together: the records of so many fill whole lines of the cache.
   static constexpr std::size_t together = 8;
 
+  /// Where several ranks share the tiles: by tile, whether it is one of this rank, and what adds the ghosts of the others' tiles
+  /// to those of its own.
+  struct OfRanks {
+    std::span<const std::uint8_t> is_own;
+    std::function<void(std::vector<std::vector<Index>>& ghosts)> complete;
+  };
   /// Where the contacts of these pairs and these bonds write. All tiles are one share.
-  void arrange(const neighbors::SpherePairs& pairs, const TileLinks& bonds);
+  void arrange(const neighbors::SpherePairs& pairs, const TileLinks& bonds, const OfRanks& ranks = {});
   /// Cuts the tiles into shares: share s has the tiles cuts[s] .. cuts[s + 1] - 1. To be called between steps alone.
   void share_out(std::vector<std::size_t> cuts);
 
@@ -63,6 +70,10 @@ public:
   std::span<const state::SphereLoad> loads_of_ghosts(std::size_t tile) const {
     return std::span(ghosts_).subspan(ghosts_.size() - ghost_begin_[tile + 1], ghost_begin_[tile + 1] - ghost_begin_[tile]);
   }
+  /// The load of one of all ghosts.
+  state::SphereLoad& load_of_ghost(Index ghost) { return ghosts_[ghosts_.size() - 1 - static_cast<std::size_t>(ghost)]; }
+  /// Which of all ghosts is the first one of a tile.
+  std::size_t first_ghost(std::size_t tile) const { return ghost_begin_[tile]; }
   /// The ghosts of a tile, in order.
   std::span<const Index> ghosts(std::size_t tile) const {
     return std::span(ghost_).subspan(ghost_begin_[tile], ghost_begin_[tile + 1] - ghost_begin_[tile]);
@@ -89,6 +100,7 @@ public:
   const state::SphereLoad& of(std::size_t sphere) const {
     return kept_[sphere / neighbors::tile_size][sphere % neighbors::tile_size];
   }
+  bool keeps(std::size_t tile) const { return !kept_[tile].empty(); }
   /// Gives back the memory of all loads that are kept.
   void forget() { kept_.assign(tiles_, {}); }
 

@@ -10,19 +10,29 @@
 
 namespace sazare::methods::spheres {
 
-std::vector<Index> PairContacts::find(state::Spheres& spheres, Real margin) {
+std::vector<Index> PairContacts::find(state::Spheres& spheres, Real margin, RankTiles* ranks) {
   std::vector<Index> order = neighbors::order_by_cell(spheres, margin);
-  const Touches touches = take_touches(neighbors::places_after(order));
+  Touches touches = take_touches(neighbors::places_after(order));
   neighbors::put_in_order(spheres, order);
-  pairs_ = neighbors::find_pairs(spheres, margin);
+  if (ranks == nullptr) {
+    pairs_ = neighbors::find_pairs(spheres, margin);
+  } else {
+    ranks->divide(std::array{spheres.size()});
+    touches = hand_on(touches, *ranks);
+    pairs_ = neighbors::find_pairs(spheres, margin, ranks->owners().is_own());
+  }
   lay_out();
   go_on(touches);
   return order;
 }
 
-void PairContacts::go_over(neighbors::SpherePairs pairs, const std::vector<Index>& new_place) {
-  const Touches touches = take_touches(new_place);
+void PairContacts::go_over(neighbors::SpherePairs pairs, const std::vector<Index>& new_place, RankTiles* ranks) {
+  Touches touches = take_touches(new_place);
   pairs_ = std::move(pairs);
+  if (ranks != nullptr) {
+    touches = hand_on(touches, *ranks);
+    neighbors::keep_wanted(pairs_, ranks->owners().is_own());
+  }
   lay_out();
   go_on(touches);
 }
@@ -68,14 +78,27 @@ PairContacts::Touches PairContacts::take_touches(const std::vector<Index>& new_p
   return touches;
 }
 
+/// Gives each contact that goes on to the rank which works for its first sphere from now on.
+PairContacts::Touches PairContacts::hand_on(const Touches& touches, RankTiles& ranks) {
+  std::vector<Touches> to_each(static_cast<std::size_t>(ranks.ranks().size()));
+  for (std::size_t n = 0; n < touches.pairs.size(); ++n)
+    to_each[static_cast<std::size_t>(ranks.owners().owner_of_sphere(touches.pairs[n].one))].take(touches, n);
+  Touches own;
+  for (Touches& arrived : ranks.hand_on(std::move(to_each))) own.take_all(arrived);
+  return own;
+}
+
 /// All that stands beside the pairs, as for pairs that are new.
 void PairContacts::lay_out() {
-  const std::size_t count = pairs_.other.size();
-  owner_.resize(count);
+  find_first_spheres();
+  inactive_until_.assign(pairs_.other.size(), looked_at_next);
+}
+
+void PairContacts::find_first_spheres() {
+  owner_.resize(pairs_.other.size());
   for (std::size_t i = 0; i + 1 < pairs_.first.size(); ++i)
     std::fill(owner_.begin() + pairs_.first[i], owner_.begin() + pairs_.first[i + 1],
               static_cast<std::uint16_t>(i % neighbors::tile_size));
-  inactive_until_.assign(count, looked_at_next);
 }
 
 /// The contacts of each tile, by pair.
@@ -112,6 +135,33 @@ void PairContacts::go_on(std::size_t tile, const Touches& touches, std::span<con
       contacts.set_initial_overlap(contacts.size() - 1, touches.initial_overlap[n]);
     inactive_until_[p] = in_contact;
   }
+}
+
+PairContacts::TilePart PairContacts::part(std::size_t tile) const {
+  const std::size_t spheres = pairs_.first.size() - 1, begin = tile * neighbors::tile_size,
+                    end = std::min(begin + neighbors::tile_size, spheres);
+  const auto first = static_cast<std::ptrdiff_t>(pairs_.first[begin]), last = static_cast<std::ptrdiff_t>(pairs_.first[end]);
+  TilePart part;
+  for (std::size_t i = begin; i < end; ++i) part.counts.push_back(pairs_.first[i + 1] - pairs_.first[i]);
+  part.other.assign(pairs_.other.begin() + first, pairs_.other.begin() + last);
+  part.inactive_until.assign(inactive_until_.begin() + first, inactive_until_.begin() + last);
+  part.contacts = contacts_[tile];
+  part.contacts.shift_pairs(-pairs_.first[begin]);
+  return part;
+}
+
+void PairContacts::assemble(std::vector<TilePart> by_tile) {
+  pairs_ = {{0}, {}};
+  inactive_until_ = {};
+  contacts_ = {};
+  for (TilePart& part : by_tile) {
+    part.contacts.shift_pairs(pairs_.first.back());
+    for (const std::uint32_t count : part.counts) pairs_.first.push_back(pairs_.first.back() + count);
+    pairs_.other.insert(pairs_.other.end(), part.other.begin(), part.other.end());
+    inactive_until_.insert(inactive_until_.end(), part.inactive_until.begin(), part.inactive_until.end());
+    contacts_.push_back(std::move(part.contacts));
+  }
+  find_first_spheres();
 }
 
 void PairContacts::write_to(const LoadTable& loads) {

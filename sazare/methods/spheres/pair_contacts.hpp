@@ -15,6 +15,7 @@
 #include "sazare/methods/spheres/contact_table.hpp"
 #include "sazare/methods/spheres/load_rows.hpp"
 #include "sazare/methods/spheres/load_table.hpp"
+#include "sazare/methods/spheres/ranks/rank_tiles.hpp"
 #include "sazare/methods/spheres/tile_contacts.hpp"
 
 namespace sazare::methods::spheres {
@@ -24,12 +25,13 @@ public:
   explicit PairContacts(ContactTable table) : table_(std::move(table)) {}
 
   /// Sorts the spheres along a curve and finds all pairs nearer than the margin [m]; what touches goes on remembering.
-  /// Returns the place before of each sphere. `write_to` is to follow.
-  std::vector<Index> find(state::Spheres& spheres, Real margin);
+  /// Returns the place before of each sphere. `write_to` is to follow. Where several ranks share the spheres all of them have all
+  /// spheres as they are now, and each comes to know the pairs of its own tiles; else `ranks` is nullptr.
+  std::vector<Index> find(state::Spheres& spheres, Real margin, RankTiles* ranks);
 
   /// Goes over to these pairs of spheres that are sorted anew; `new_place` says by place where each of them comes to stand. What
   /// touches goes on remembering. `write_to` is to follow.
-  void go_over(neighbors::SpherePairs pairs, const std::vector<Index>& new_place);
+  void go_over(neighbors::SpherePairs pairs, const std::vector<Index>& new_place, RankTiles* ranks);
 
   /// Tells the contacts where their loads add up.
   void write_to(const LoadTable& loads);
@@ -63,13 +65,33 @@ public:
   /// What a step reads.
   void add_to(LargePages& pages) const;
 
-  /// Calls `visit(one, other, initial_overlap)` with the places of the spheres of every contact and the overlap beyond which it
-  /// pushes [m].
+  /// Calls `visit(one, other, initial_overlap)` with the places of the spheres of every contact of a tile and the overlap beyond
+  /// which it pushes [m].
   template <class Visit>
-  void visit_contacts(Visit&& visit) const {
-    for (const TileContacts& tile : contacts_)
-      for (std::size_t n = 0; n < tile.size(); ++n) visit(tile[n].first.place(), tile[n].second.place(), tile.initial_overlap(n));
+  void visit_contacts(std::size_t of_tile, Visit&& visit) const {
+    const TileContacts& tile = contacts_[of_tile];
+    for (std::size_t n = 0; n < tile.size(); ++n) visit(tile[n].first.place(), tile[n].second.place(), tile.initial_overlap(n));
   }
+
+  /// The candidates of a tile, and its contacts, which count them from its first one.
+  struct TilePart {
+    std::vector<std::uint32_t> counts;  ///< of candidates, by sphere
+    std::vector<Index> other;
+    std::vector<float> inactive_until;
+    TileContacts contacts;
+
+    template <class Parcel>
+    void carry(Parcel& parcel) {
+      parcel(counts);
+      parcel(other);
+      parcel(inactive_until);
+      contacts.carry(parcel);
+    }
+  };
+  TilePart part(std::size_t tile) const;
+  std::size_t tiles() const { return contacts_.size(); }
+  /// Takes all tiles in place of what was there; those of other ranks may have no candidates.
+  void assemble(std::vector<TilePart> by_tile);
 
   const neighbors::SpherePairs& pairs() const { return pairs_; }
   const ContactTable& table() const { return table_; }
@@ -92,6 +114,28 @@ private:
     std::vector<Turning> turning;              ///< by pair; empty where nothing resists rolling or twisting
     std::vector<laws::SlipBands<Real>> bands;  ///< by pair; empty where friction does not slip in part
     std::vector<Real> initial_overlap;         ///< by pair [m]; empty where none has an initial overlap
+
+    /// Adds one of another list, or all of it.
+    void take(const Touches& from, std::size_t n) {
+      pairs.push_back(from.pairs[n]);
+      if (!from.turning.empty()) turning.push_back(from.turning[n]);
+      if (!from.bands.empty()) bands.push_back(from.bands[n]);
+      if (from.initial_overlap.empty()) return;
+      initial_overlap.resize(pairs.size() - 1, 0);
+      initial_overlap.push_back(from.initial_overlap[n]);
+    }
+    void take_all(const Touches& from) {
+      for (std::size_t n = 0; n < from.pairs.size(); ++n) take(from, n);
+      if (!initial_overlap.empty()) initial_overlap.resize(pairs.size(), 0);
+    }
+
+    template <class Parcel>
+    void carry(Parcel& parcel) {
+      parcel(pairs);
+      parcel(turning);
+      parcel(bands);
+      parcel(initial_overlap);
+    }
   };
 
   /// In place of how long a pair is inactive.
@@ -100,7 +144,9 @@ private:
 
   void set_inactive(Index one, Index other, float until);
   Touches take_touches(const std::vector<Index>& new_place);
+  static Touches hand_on(const Touches& touches, RankTiles& ranks);
   void lay_out();
+  void find_first_spheres();
   std::size_t pair_of(Index one, Index other) const;
   void go_on(const Touches& touches);
   void go_on(std::size_t tile, const Touches& touches, std::span<const Index> touch_of);

@@ -161,13 +161,21 @@ Index number_of(const LoadedBodies& bodies, std::size_t body) {
   return bodies.spheres.number[body - bodies.clumps.clumps.size()];
 }
 
+bool is_looked_at(const LoadedBodies& bodies, std::size_t body) {
+  if (!bodies.is_own) return true;
+  const std::size_t clumps = bodies.clumps.clumps.size();
+  if (body >= clumps) return bodies.is_own(body - clumps);
+  return bodies.is_own(static_cast<std::size_t>(bodies.place[static_cast<std::size_t>(number_of(bodies, body))]));
+}
+
 }  // namespace
 
-StepLoad largest_step_load(const LoadedBodies& bodies, const ContactTable& table, const ContactVisit& visit) {
+std::vector<HeavyLoad> heaviest_loads(const LoadedBodies& bodies, const ContactTable& table, const ContactVisit& visit) {
   const Sum sum(bodies, table);
   const std::vector<Real> traces = sum.traces(visit);
-  std::vector<std::size_t> which(traces.size());
-  std::iota(which.begin(), which.end(), std::size_t{0});
+  std::vector<std::size_t> which;
+  for (std::size_t body = 0; body < traces.size(); ++body)
+    if (is_looked_at(bodies, body)) which.push_back(body);
   const auto count = std::min(looked_at_closely, which.size());
   const auto end = which.begin() + static_cast<std::ptrdiff_t>(count);
   std::ranges::nth_element(which, end, [&](std::size_t a, std::size_t b) {
@@ -175,9 +183,18 @@ StepLoad largest_step_load(const LoadedBodies& bodies, const ContactTable& table
   });
   which.resize(count);
   const std::vector<Real> largest = sum.eigenvalues(visit, which);
+  std::vector<HeavyLoad> loads;
+  for (std::size_t n = 0; n < count; ++n) loads.push_back({traces[which[n]], {largest[n] / 4, number_of(bodies, which[n])}});
+  return loads;
+}
+
+StepLoad largest_step_load(std::vector<HeavyLoad> loads) {
+  std::ranges::sort(
+      loads, [](const HeavyLoad& a, const HeavyLoad& b) { return a.sum != b.sum ? a.sum > b.sum : a.of.sphere < b.of.sphere; });
+  if (loads.size() > looked_at_closely) loads.resize(looked_at_closely);
   StepLoad result;
-  for (std::size_t n = 0; n < count; ++n)
-    if (const Real load = largest[n] / 4; load > result.load) result = {load, number_of(bodies, which[n])};
+  for (const HeavyLoad& one : loads)
+    if (one.of.load > result.load) result = one.of;
   return result;
 }
 

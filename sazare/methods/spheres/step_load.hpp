@@ -11,8 +11,11 @@
 /// of a contact is at most twice that of each alone, so that their blocks of K and C count double; those of walls and of held
 /// bodies count once. The bound is never below the truth, and about it where neighbours do move against each other.
 
+#include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "sazare/methods/spheres/contact_table.hpp"
 #include "sazare/state/clumps.hpp"
@@ -41,9 +44,20 @@ struct LoadedBodies {
   const state::Spheres& spheres;
   const state::Clumps& clumps;
   std::span<const Index> clump_of;
+  /// Whether a body is to be looked at, by the place of one of its spheres; without one all are.
+  std::function<bool(std::size_t sphere)> is_own = {};
+  std::span<const Index> place = {};  ///< by number, where the spheres stand; needed with both
 };
 
-/// The largest load among the bodies that the sums of their contacts single out, at most some hundred.
-StepLoad largest_step_load(const LoadedBodies& bodies, const ContactTable& table, const ContactVisit& visit);
+/// The load of a body, and what singled it out.
+struct HeavyLoad {
+  Real sum = 0;  ///< of its contacts, which no load exceeds
+  StepLoad of = {};
+};
+
+/// The loads of the bodies that the sums of their contacts single out, at most some hundred.
+std::vector<HeavyLoad> heaviest_loads(const LoadedBodies& bodies, const ContactTable& table, const ContactVisit& visit);
+/// The largest one of those that are singled out of all; the lists of parts of the bodies may be joined before.
+StepLoad largest_step_load(std::vector<HeavyLoad> loads);
 
 }  // namespace sazare::methods::spheres

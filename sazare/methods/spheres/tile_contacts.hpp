@@ -78,6 +78,21 @@ public:
   }
 
   void set_slot(std::size_t contact, Index slot) { contacts_[contact].slot = slot; }
+  /// Counts the numbers of candidates from another beginning.
+  void shift_pairs(std::uint32_t by) {
+    for (Contact& contact : contacts_) contact.pair += by;
+  }
+
+  /// Everything, on its way to another process.
+  template <class Parcel>
+  void carry(Parcel& parcel) {
+    parcel(contacts_);
+    parcel(sliding_);
+    parcel(bands_);
+    parcel(rolling_);
+    parcel(twisting_);
+    parcel(initial_overlap_);
+  }
 
   /// The last contact takes the place of one that goes.
   void remove(std::size_t contact) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "sazare/parallel/threads.hpp"
 
@@ -275,7 +277,7 @@ std::vector<WallLoadSums> WallContacts::load_sums() const {
 
 std::vector<WallLoad> WallContacts::loads() const {
   std::vector<WallLoad> total;
-  for (const WallLoadSums& sums : load_sums()) total.push_back(sums.load());
+  for (const WallLoadSums& sums : surveyed_.empty() ? load_sums() : surveyed_) total.push_back(sums.load());
   return total;
 }
 
@@ -286,11 +288,33 @@ Real WallContacts::largest_speed(Real radius) const {
   return largest;
 }
 
+void WallContacts::survey(const RankTiles& ranks) {
+  surveyed_ = load_sums();
+  for (std::size_t w = 0; w < surveyed_.size(); ++w) {
+    const std::vector<WallLoadSums> parts = ranks.to_first(std::exchange(surveyed_[w], {}), parallel::Topic::rows);
+    for (const WallLoadSums& part : parts) surveyed_[w] += part;
+  }
+}
+
+void WallContacts::collect(const RankTiles& ranks) {
+  collected_.clear();
+  for (const auto& tiles : parts_) {
+    std::vector<Kept> of_part = ranks.collect<Kept>(tiles.size(), [&](std::size_t tile) { return kept_by(tiles[tile]); });
+    std::ranges::move(of_part, std::back_inserter(collected_));
+  }
+}
+
 void WallContacts::columns(Archive& archive) {
-  Kept all = kept();
+  std::vector<Kept> by_tile = std::exchange(collected_, {});
+  if (by_tile.empty())
+    for (const auto& tiles : parts_)
+      for (const Tile& tile : tiles) by_tile.push_back(kept_by(tile));
+  Kept all;
   std::vector<std::uint64_t> counts;
-  for (const auto& tiles : parts_)
-    for (const Tile& tile : tiles) counts.push_back(kept_by(tile).touches.size());
+  for (const Kept& of_tile : by_tile) {
+    all.add(of_tile);
+    counts.push_back(of_tile.touches.size());
+  }
   archive("touches", all.touches);
   archive("counts", counts);
   if (table_.slips_in_part()) archive("bands", all.bands);

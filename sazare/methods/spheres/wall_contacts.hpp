@@ -16,6 +16,7 @@
 #include "sazare/methods/spheres/contact_table.hpp"
 #include "sazare/methods/spheres/load_table.hpp"
 #include "sazare/methods/spheres/plane_contacts.hpp"
+#include "sazare/methods/spheres/ranks/rank_tiles.hpp"
 #include "sazare/methods/spheres/wall.hpp"
 
 namespace sazare::methods::spheres {
@@ -29,6 +30,9 @@ public:
   struct Parts {
     std::size_t count = 1;
     std::span<const std::int8_t> of;  ///< by place; empty: all are in part 0
+    RankTiles* ranks = nullptr;       ///< where several share the spheres: each finds those of its own tiles
+
+    bool owns(std::size_t tile) const { return ranks == nullptr || ranks->owners().owns(tile); }
   };
 
   /// Finds which spheres are nearer to a wall than the margin [m]. `places_before` says where each sphere stood when they
@@ -45,6 +49,13 @@ public:
   void note_passages(std::size_t part);
   /// The first sphere whose centre went through a surface, between two evaluations or two searches; nothing where none did.
   const std::optional<Passage>& passage() const { return passage_; }
+  /// In which tile its sphere was; below 0 where none.
+  std::int64_t passage_tile() const { return passage_tile_; }
+  /// Takes that of another rank.
+  void agree_on(const Passage& passage, std::int64_t tile) {
+    passage_ = passage;
+    passage_tile_ = tile;
+  }
   bool have_surfaces() const;
 
   /// Adds a wall, whose nodes are led from outside; one at most.
@@ -66,23 +77,22 @@ public:
   /// Adds the forces on spheres to their loads.
   ContactSums evaluate(const state::Spheres& spheres, const Task& task);
 
-  /// Calls `visit(sphere, material, normal, overlap)` with the place of the sphere of every contact of a part, the material of the
-  /// wall, the normal towards the wall, and the overlap [m]: at planes now, at surfaces as last evaluated.
+  /// Calls `visit(sphere, material, normal, overlap)` with the place of the sphere of every contact of a part in a tile, the
+  /// material of the wall, the normal towards the wall, and the overlap [m]: at planes now, at surfaces as last evaluated.
   template <class Visit>
-  void visit_contacts(const state::Spheres& spheres, std::size_t part, Visit&& visit) const {
-    if (part >= parts_.size()) return;
-    for (const Tile& tile : parts_[part]) {
-      for (std::size_t w = 0; w < tile.planes.size(); ++w)
-        for (std::size_t n = 0; n < tile.planes[w].size(); ++n) {
-          const state::SpherePlace& place = spheres.place[static_cast<std::size_t>(tile.planes[w][n])];
-          const Vector3 centre = seen_by(w, spheres.box.wrapped(place.centre()));
-          const Real overlap = place.radius - (centre - walls_[w].point).dot(walls_[w].normal);
-          if (overlap > 0) visit(tile.planes[w][n], walls_[w].material, -poses_[w].direction_out(walls_[w].normal), overlap);
-        }
-      for (std::size_t n = 0; n < tile.points.size(); ++n)
-        if (const Point& point = tile.points[n]; point.overlap > 0)
-          visit(tile.touches[n].sphere, walls_[static_cast<std::size_t>(point.wall)].material, -point.normal, point.overlap);
-    }
+  void visit_contacts(const state::Spheres& spheres, std::size_t part, std::size_t number, Visit&& visit) const {
+    if (part >= parts_.size() || number >= parts_[part].size()) return;
+    const Tile& tile = parts_[part][number];
+    for (std::size_t w = 0; w < tile.planes.size(); ++w)
+      for (std::size_t n = 0; n < tile.planes[w].size(); ++n) {
+        const state::SpherePlace& place = spheres.place[static_cast<std::size_t>(tile.planes[w][n])];
+        const Vector3 centre = seen_by(w, spheres.box.wrapped(place.centre()));
+        const Real overlap = place.radius - (centre - walls_[w].point).dot(walls_[w].normal);
+        if (overlap > 0) visit(tile.planes[w][n], walls_[w].material, -poses_[w].direction_out(walls_[w].normal), overlap);
+      }
+    for (std::size_t n = 0; n < tile.points.size(); ++n)
+      if (const Point& point = tile.points[n]; point.overlap > 0)
+        visit(tile.touches[n].sphere, walls_[static_cast<std::size_t>(point.wall)].material, -point.normal, point.overlap);
   }
 
   const ContactTable& table() const { return table_; }
@@ -95,6 +105,9 @@ public:
   Real largest_speed(Real radius) const;
 
   void columns(Archive& archive);
+  /// With several ranks: the first one comes to know all loads, for `loads`; and all touches, for the next `columns` that writes.
+  void survey(const RankTiles& ranks);
+  void collect(const RankTiles& ranks);
 
   /// A point where a sphere touches, and what it remembers.
   struct Touch {
@@ -117,6 +130,11 @@ private:
     void add(const Kept& more) {
       touches.insert(touches.end(), more.touches.begin(), more.touches.end());
       bands.insert(bands.end(), more.bands.begin(), more.bands.end());
+    }
+    template <class Parcel>
+    void carry(Parcel& parcel) {
+      parcel(touches);
+      parcel(bands);
     }
   };
   /// A triangle near a sphere.
@@ -207,6 +225,7 @@ private:
   void touch_anew(const state::Spheres& spheres, Tile& tile) const;
   Kept kept_by(const Tile& tile) const;
   Kept kept() const;
+  static Kept hand_on(const Kept& before, RankTiles& ranks);
   void remember(const Touch& touch, const Bands* bands, Tile& tile) const;
   using Push = ContactSums (WallContacts::*)(const state::Spheres& spheres, std::size_t begin, const Task& task,
                                              Tile& tile) const;
@@ -232,6 +251,9 @@ private:
   std::size_t surface_ = static_cast<std::size_t>(-1);  ///< which of the walls moves with its nodes
   std::vector<std::vector<Tile>> parts_;                ///< by part and tile
   std::optional<Passage> passage_;
+  std::int64_t passage_tile_ = -1;
+  std::vector<Kept> collected_;         ///< by part and tile
+  std::vector<WallLoadSums> surveyed_;  ///< by wall
 };
 
 }  // namespace sazare::methods::spheres

@@ -100,12 +100,13 @@ void WallContacts::find(const state::Spheres& spheres, Real time, Real margin, s
   for (std::size_t n = 0; n < place.size(); ++n) place[static_cast<std::size_t>(places_before[n])] = static_cast<Index>(n);
   if (have_surfaces()) look_back(spheres, place);
   Kept before = kept();
-  std::vector<std::size_t> order(before.touches.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
   if (!place.empty()) {
     for (Touch& touch : before.touches) touch.sphere = place[static_cast<std::size_t>(touch.sphere)];
-    std::ranges::stable_sort(order, {}, [&](std::size_t n) { return before.touches[n].sphere; });
+    if (parts.ranks != nullptr) before = hand_on(before, *parts.ranks);
   }
+  std::vector<std::size_t> order(before.touches.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  if (!place.empty()) std::ranges::stable_sort(order, {}, [&](std::size_t n) { return before.touches[n].sphere; });
   const std::size_t tile_count = (spheres.size() + neighbors::tile_size - 1) / neighbors::tile_size;
   Tile empty;
   empty.planes.resize(walls_.size());
@@ -117,12 +118,26 @@ void WallContacts::find(const state::Spheres& spheres, Real time, Real margin, s
   };
   parallel::parallel_for(tile_count, 2, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin * neighbors::tile_size; i < std::min(end * neighbors::tile_size, spheres.size()); ++i)
-      find_near(spheres, i, margin, tile_of(i));
+      if (parts.owns(i / neighbors::tile_size)) find_near(spheres, i, margin, tile_of(i));
   });
   for (const std::size_t n : order) {
     const Touch& touch = before.touches[n];
+    if (!parts.owns(static_cast<std::size_t>(touch.sphere) / neighbors::tile_size)) continue;  // of a checkpoint, which has all
     remember(touch, before.bands.empty() ? nullptr : &before.bands[n], tile_of(static_cast<std::size_t>(touch.sphere)));
   }
+}
+
+/// Gives each touch to the rank that works for its sphere from now on. Those of one sphere come from one rank, in their order.
+WallContacts::Kept WallContacts::hand_on(const Kept& before, RankTiles& ranks) {
+  std::vector<Kept> to_each(static_cast<std::size_t>(ranks.ranks().size()));
+  for (std::size_t n = 0; n < before.touches.size(); ++n) {
+    Kept& to = to_each[static_cast<std::size_t>(ranks.owners().owner_of_sphere(before.touches[n].sphere))];
+    to.touches.push_back(before.touches[n]);
+    if (!before.bands.empty()) to.bands.push_back(before.bands[n]);
+  }
+  Kept own;
+  for (const Kept& arrived : ranks.hand_on(std::move(to_each))) own.add(arrived);
+  return own;
 }
 
 /// Adds a sphere to the rows of the planes, and to the triangles, that are near it.
@@ -186,8 +201,9 @@ bool WallContacts::went_through(Near& one, const geometry::Triangle& corners, co
 
 void WallContacts::note_passages(std::size_t part) {
   if (part >= parts_.size()) return;
-  for (const Tile& tile : parts_[part])
-    if (tile.passage && !passage_) passage_ = tile.passage;
+  for (std::size_t tile = 0; tile < parts_[part].size(); ++tile)
+    if (const auto& passage = parts_[part][tile].passage; passage && !passage_)
+      agree_on(*passage, static_cast<std::int64_t>(tile));
 }
 
 bool WallContacts::have_surfaces() const { return std::ranges::any_of(walls_, &Wall::is_surface); }

@@ -31,6 +31,8 @@ public:
   const laws::WaterField& water() const { return water_; }
   /// No body of this density sinks or rises faster through still water than this, once its motion is steady [m/s].
   Real largest_steady_speed(Index number, Real density) const;
+  /// What another rank has evaluated.
+  void set_added_mass(Index number, Real mass) { added_mass_[static_cast<std::size_t>(number)] = mass; }
   /// Of what a sphere carries along, as last evaluated [kg].
   Real added_mass(Index number) const { return added_mass_[static_cast<std::size_t>(number)]; }
 

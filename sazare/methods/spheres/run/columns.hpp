@@ -69,5 +69,18 @@ inline constexpr std::array figures = {
         "energy_work", "J",
         "reference of the residual: the largest of the energy lost, the peak kinetic energy and the works of walls, of water and "
         "of forces given in Python"}};
+inline constexpr std::array ranks = {
+    Column{"time", "s", "end of the run"},
+    Column{"rank", "-", ""},
+    Column{"processor_time", "s", "of the rank in forces and motion"},
+    Column{"exchange_time", "s", "spent in messages, waiting included"},
+    Column{"spheres", "-", "of the rank at the end"},
+    Column{"border_spheres", "-", "those of them that other ranks need at every step, each counted for each of these"},
+    Column{"bytes_sent", "B", "to other ranks"},
+    Column{"messages_sent", "-", "to other ranks; what all give to all counts as one to each"},
+    Column{"motion_bytes", "B", "of these, loads and motion of spheres at the borders"},
+    Column{"motion_messages", "-", "likewise"},
+    Column{"expected_motion_bytes", "B", "of `motion_bytes`, as the lists of ghosts foretell"},
+    Column{"expected_motion_messages", "-", "of `motion_messages`, likewise"}};
 
 }  // namespace sazare::runs::columns::spheres

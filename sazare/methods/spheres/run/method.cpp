@@ -5,6 +5,7 @@
 #include "sazare/methods/spheres/case/format.hpp"
 #include "sazare/methods/spheres/run/columns.hpp"
 #include "sazare/methods/spheres/run/run.hpp"
+#include "sazare/methods/spheres/run/sharing.hpp"
 #include "sazare/runs/record_columns.hpp"
 #include "sazare/runs/record_figures.hpp"
 #include "sazare/runs/summary.hpp"
@@ -30,7 +31,7 @@ FolderTables tables_of_spheres() {
   return {.figures = {{"`spheres`", {figures::of_steps, figures::of_spheres, columns::spheres::figures}}},
           .history = {{"`spheres`", {columns::spheres::history}}},
           .gauges = {{"`gauges.csv` of `spheres`", {columns::spheres::gauge}}, {"`walls.csv`", {columns::spheres::wall}}},
-          .files = {},
+          .files = {{"`ranks.csv` of `spheres`, a row per rank", {columns::spheres::ranks}}},
           .snapshots = {{"`particles` of `spheres`", {columns::spheres::particles}},
                         {"`walls` of `spheres`: triangles, once where no wall of them moves", {columns::spheres::surfaces}}}};
 }
@@ -42,7 +43,8 @@ Method spheres_method() {
           .open = open_spheres,
           .check = check_spheres,
           .summary = spheres_summary,
-          .tables = tables_of_spheres};
+          .tables = tables_of_spheres,
+          .explain_ranks = explain_ranks_of_spheres};
 }
 
 }  // namespace sazare::runs

@@ -40,14 +40,16 @@ struct GroupSums {
 
 }  // namespace
 
-SpheresRecord::SpheresRecord(const RunFolder& folder, const cases::CaseFile& file, SpheresModel& model, const RunClocks& clocks)
+SpheresRecord::SpheresRecord(const RunFolder& folder, const cases::CaseFile& file, SpheresModel& model, const RunClocks& clocks,
+                             bool warns)
     : folder_(&folder),
       file_(&file),
       model_(&model),
       clocks_(clocks),
       files_(folder.snapshots(), "particles"),
       surface_files_(folder.snapshots(), "walls"),
-      peaks_(file.as<cases::SpheresCase>().gauges.size(), 0) {
+      peaks_(file.as<cases::SpheresCase>().gauges.size(), 0),
+      warns_(warns) {
   const auto& groups = file.as<cases::SpheresCase>().spheres;
   for (const cases::GroupGauge& gauge : file.as<cases::SpheresCase>().gauges)
     gauge_group_.push_back(
@@ -238,7 +240,6 @@ void SpheresRecord::check_motion(Real time) const {
                   cases::short_number(smallest, 4), cases::short_number(smallest / limit, 3), cases::short_number(limit, 4)));
 }
 
-/// Warns where the step is too long for the contacts that spheres have.
 void SpheresRecord::check_step(Real time) const {
   const methods::spheres::StepLoad& load = model_->stepper->step_load();
   if (load.load <= warned_load_) return;
@@ -251,7 +252,7 @@ void SpheresRecord::check_step(Real time) const {
       cases::short_number(load.load, 3), cases::short_number(time, 4), cases::short_number(0.9 * share / std::sqrt(load.load), 2),
       cases::short_number(model_->steps.smallest(), 4), cases::short_number(share, 3));
   if (spheres.time.strict) throw PhysicsError(words);
-  fmt::print(stderr, "warning: {}\n", words);
+  if (warns_) fmt::print(stderr, "warning: {}\n", words);
   warned_load_ = std::numeric_limits<Real>::infinity();  // once
 }
 
@@ -303,8 +304,8 @@ std::vector<std::pair<std::string, observe::Figure>> SpheresRecord::results(std:
   if (const methods::spheres::SphereLevels& levels = model_->stepper->levels(); !levels.is_one()) {
     results.emplace_back("levels", static_cast<std::int64_t>(levels.count()));
     results.emplace_back("smallest_step", model_->steps.smallest());
-    results.emplace_back("pair_evaluations", levels.counts().evaluations);
-    results.emplace_back("uniform_evaluations", levels.counts().uniform_evaluations);
+    results.emplace_back("pair_evaluations", model_->stepper->counts().evaluations);
+    results.emplace_back("uniform_evaluations", model_->stepper->counts().uniform_evaluations);
   }
   for (const ShapeVolume& shape : model_->shapes) {
     results.emplace_back("shape_volume_" + shape.shape, shape.volume);

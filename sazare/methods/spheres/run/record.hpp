@@ -12,11 +12,14 @@ namespace sazare::runs {
 
 class SpheresRecord {
 public:
-  /// Writes nothing yet.
-  SpheresRecord(const RunFolder& folder, const cases::CaseFile& file, SpheresModel& model, const RunClocks& clocks);
+  /// Writes nothing yet. Of several processes one warns.
+  SpheresRecord(const RunFolder& folder, const cases::CaseFile& file, SpheresModel& model, const RunClocks& clocks,
+                bool warns = true);
 
   void begin() { files_.begin(tables()); }
   void resume();
+  /// Whether the row of a step, or its snapshot, looks at single spheres.
+  bool needs_motion(std::int64_t step) const { return !gauge_group_.empty() || clocks_.is_snapshot(step); }
   void observe(std::int64_t step, Real wall_seconds);
   void flush(bool to_disk);
   /// Writes the pieces of bonded bodies; nothing where there are none.
@@ -24,6 +27,8 @@ public:
 
   /// Throws PhysicsError when a velocity is not a number or the motion has diverged, or a sphere went through a wall.
   void check_motion(Real time) const;
+  /// Warns where the step is too long for the contacts that spheres have; throws where the case asks for it.
+  void check_step(Real time) const;
 
   std::vector<std::pair<std::string, observe::Figure>> results(std::int64_t step, Real wall_seconds) const;
   std::vector<std::pair<std::string, Real>> peak_particle_velocity() const;
@@ -36,7 +41,6 @@ public:
 private:
   std::vector<RecordFiles::Table> tables() const;  ///< history, gauges, walls
   void check_surfaces() const;
-  void check_step(Real time) const;
   void add_gauge_row(Real time);
   void add_wall_row(Real time);
   std::vector<Real> broken_fraction() const;
@@ -54,6 +58,7 @@ private:
   std::vector<Real> peaks_;          ///< largest speed by gauge [m/s]
   methods::spheres::SphereEnergies energies_;  ///< at the last row
   Real first_sum_ = 0, largest_speed_ = 0, peak_kinetic_ = 0;
+  bool warns_;
   mutable Real warned_load_ = 1;  ///< of the step: a larger one is told of
 };
 

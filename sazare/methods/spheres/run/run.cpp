@@ -12,6 +12,7 @@
 #include "sazare/methods/spheres/run/rain.hpp"
 #include "sazare/methods/spheres/run/record.hpp"
 #include "sazare/methods/spheres/run/restitution.hpp"
+#include "sazare/methods/spheres/run/sharing.hpp"
 #include "sazare/observe/atomic_file.hpp"
 #include "sazare/observe/hash.hpp"
 #include "sazare/runs/case_run.hpp"
@@ -36,17 +37,28 @@ struct SpheresWork final : WorkDefaults {
   RunClocks clocks;
   SpheresRecord record;
   const RunOptions& options;
+  std::vector<SphereRankWork> rank_work;  ///< at the last collection; of the first of several processes
 
   SpheresWork(const cases::CaseFile& of, const RunOptions& of_run)
       : file(of),
         model(build_spheres(of)),
-        folder(of_run.folder, of_run.begin),
+        folder(enter_folder(of_run)),
         identity(identify(of.as<cases::SpheresCase>(), observe::to_hex(model.start))),
         clocks(make_clocks(of, of.as<cases::SpheresCase>().time, "step", model.steps.step)),
-        record(folder, of, model, clocks),
+        record(folder, of, model, clocks, is_writer(of_run)),
         options(of_run) {
+    share_among(model, of_run.sharing);
     give_back_large_tables();
     parallel::limit_threads(static_cast<int>(spheres()) / spheres_per_thread);
+  }
+
+  /// Other processes come when the first one has made the folder.
+  static RunFolder enter_folder(const RunOptions& options) {
+    const bool alone = options.sharing.ranks == nullptr, writes = is_writer(options);
+    if (!writes) options.sharing.ranks->barrier();
+    RunFolder entered = writes ? RunFolder(options.folder, options.begin) : RunFolder::of_another(options.folder, options.begin);
+    if (!alone && writes) options.sharing.ranks->barrier();
+    return entered;
   }
 
   std::int64_t spheres() const { return static_cast<std::int64_t>(model.group.size()); }
@@ -80,6 +92,15 @@ struct SpheresWork final : WorkDefaults {
   std::int64_t step() const { return model.stepper->steps(); }
   bool must_check() const override { return step() % motion_check_steps == 0; }
   void read_motion(MotionTable& table) { read_spheres(*model.stepper, table); }
+  void survey() override {
+    model.stepper->survey(record.needs_motion(step()));
+    if (!is_writer(options)) record.check_step(clocks.time(step()));  // as the first one does with its row: all throw, or none
+  }
+  void collect() override {
+    model.stepper->collect();
+    rank_work = gather_rank_work(model);
+  }
+  void write_rank_times() override { runs::write_rank_times(folder.ranks(), clocks.time(step()), rank_work); }
   bool takes_forces() const override { return true; }
   void apply(std::span<const Vector3> forces) override { model.stepper->apply({forces.begin(), forces.end()}); }
 

@@ -51,13 +51,14 @@ std::vector<std::int8_t> SphereLevels::by_place(const state::Spheres& spheres) c
 
 std::vector<Index> SphereLevels::find(state::Spheres& spheres, Real margin, Together together) {
   for (Level& level : levels_) level.loads = {};
-  if (is_one()) return levels_.front().pairs.find(spheres, margin);
+  if (is_one()) return levels_.front().pairs.find(spheres, margin, ranks_);
   const std::vector<std::int8_t> level = by_place(spheres);
   auto found =
       neighbors::find_leveled_pairs(spheres, margin, {level, finest(), std::move(together.bonded), std::move(together.body)});
   const std::vector<Index> new_place = neighbors::places_after(found.order);
   neighbors::put_in_order(spheres, found.order);
-  for (std::size_t l = 0; l < levels_.size(); ++l) levels_[l].pairs.go_over(std::move(found.pairs[l]), new_place);
+  if (ranks_ != nullptr) ranks_->divide(found.spheres);
+  for (std::size_t l = 0; l < levels_.size(); ++l) levels_[l].pairs.go_over(std::move(found.pairs[l]), new_place, ranks_);
   return std::move(found.order);
 }
 
@@ -89,12 +90,20 @@ void SphereLevels::arrange(const methods::spheres::Bonds& bonds) {
   for (std::size_t l = levels_.size(); l-- > 0;) {
     Level& level = levels_[l];
     level.spheres = level.pairs.pairs().first.size() - 1;
-    level.loads.arrange(level.pairs.pairs(), bonds.empty() ? methods::spheres::TileLinks{} : bonds.links(l).ends);
+    const methods::spheres::TileLinks bond_ends = bonds.empty() ? methods::spheres::TileLinks{} : bonds.links(l).ends;
+    if (ranks_ == nullptr) {
+      level.loads.arrange(level.pairs.pairs(), bond_ends);
+    } else {
+      level.loads.arrange(level.pairs.pairs(), bond_ends, {ranks_->owners().is_own(), [&](auto& ghosts) {
+                                                             ranks_->border().complete(ranks_->owners(), ghosts);
+                                                           }});
+    }
     level.pairs.write_to(level.loads);
-    for (std::size_t tile = 0; tile < level.loads.tiles(); ++tile) tiles_.push_back({l, tile});
+    for (std::size_t tile = 0; tile < level.loads.tiles(); ++tile)
+      if (owns(tile)) tiles_.push_back({l, tile});
     while (begin < level.spheres) {
-      const std::size_t end = std::min((begin / neighbors::tile_size + 1) * neighbors::tile_size, level.spheres);
-      batches_.push_back({l, begin, end});
+      const std::size_t tile = begin / neighbors::tile_size, end = std::min((tile + 1) * neighbors::tile_size, level.spheres);
+      if (owns(tile)) batches_.push_back({l, begin, end});
       begin = end;
     }
     tiles_until_[l] = tiles_.size();
@@ -103,6 +112,12 @@ void SphereLevels::arrange(const methods::spheres::Bonds& bonds) {
   sums_.resize(tiles_.size());
   speeds_.resize(batches_.size());
   driven_work_.resize(batches_.size());
+}
+
+void SphereLevels::plan_border(bool with_turns) {
+  std::vector<Border::Level> levels;
+  for (Level& level : levels_) levels.push_back({&level.loads, level.spheres});
+  ranks_->border().plan(ranks_->owners(), std::move(levels), with_turns);
 }
 
 ComingLines SphereLevels::coming(const state::Spheres& spheres, std::size_t n) const {
@@ -135,6 +150,7 @@ void SphereLevels::evaluate(std::int64_t tick, const Scene& scene) {
       evaluate_tile(n, scene, kept(n).data(), n + 1 < end ? coming(scene.spheres, n + 1) : ComingLines{});
     }
   });
+  if (ranks_ != nullptr) ranks_->border().bring_loads(coarsest);
   parallel::parallel_for(count, alone_below, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) levels_[tiles_[n].level].loads.gather(tiles_[n].tile, kept(n).data());
   });
@@ -213,6 +229,71 @@ SphereSpeeds SphereLevels::speeds() const {
   return all;
 }
 
+void SphereLevels::take_speeds(std::span<SphereSpeeds> by_tile) const {
+  for (std::size_t n = 0; is_one() && n < batches_.size(); ++n) by_tile[batches_[n].begin / neighbors::tile_size] = speeds_[n];
+}
+
+void SphereLevels::collect() {
+  collected_.clear();
+  using Part = methods::spheres::PairContacts::TilePart;
+  for (const Level& level : levels_) {
+    std::vector<Part> by_tile =
+        ranks_->collect<Part>(level.pairs.tiles(), [&](std::size_t tile) { return level.pairs.part(tile); });
+    if (!ranks_->ranks().is_first()) continue;
+    collected_.emplace_back(level.pairs.table());
+    collected_.back().assemble(std::move(by_tile));
+  }
+}
+
+void SphereLevels::keep_own() {
+  for (Level& level : levels_) {
+    std::vector<methods::spheres::PairContacts::TilePart> by_tile;
+    for (std::size_t tile = 0; tile < level.pairs.tiles(); ++tile) {
+      by_tile.push_back(level.pairs.part(tile));
+      if (owns(tile)) continue;
+      const std::size_t spheres = by_tile.back().counts.size();
+      by_tile.back() = {std::vector<std::uint32_t>(spheres, 0), {}, {}, {}};
+    }
+    level.pairs.assemble(std::move(by_tile));
+  }
+  if (!ranks_->ranks().is_first()) counts_.evaluations = counts_.uniform_evaluations = 0;
+}
+
+namespace {
+
+/// The loads of a tile, none where they are not kept.
+struct TileLoads {
+  std::vector<state::SphereLoad> loads;
+
+  template <class Parcel>
+  void carry(Parcel& parcel) {
+    parcel(loads);
+  }
+};
+
+}  // namespace
+
+void SphereLevels::collect_loads() {
+  for (Level& level : levels_) {
+    const auto by_tile = ranks_->collect<TileLoads>(level.loads.tiles(), [&](std::size_t tile) -> TileLoads {
+      if (!level.loads.keeps(tile)) return {};
+      const auto kept = level.loads.kept(tile);
+      return {{kept.begin(), kept.end()}};
+    });
+    for (std::size_t tile = 0; tile < by_tile.size(); ++tile)
+      if (!by_tile[tile].loads.empty()) std::ranges::copy(by_tile[tile].loads, level.loads.kept(tile).begin());
+  }
+}
+
+SphereLevels::Counts SphereLevels::all_counts() const {
+  Counts all{counts_.kicks, 0, 0};  // every rank counts all kicks
+  for (const Counts& of : ranks_->to_first(counts_, parallel::Topic::rows)) {
+    all.evaluations += of.evaluations;
+    all.uniform_evaluations += of.uniform_evaluations;
+  }
+  return all;
+}
+
 Real SphereLevels::add_to_load(const state::Spheres& spheres, std::size_t sphere, const Vector3& force) {
   Level& level =
       is_one() ? levels_.front() : levels_[static_cast<std::size_t>(level_[static_cast<std::size_t>(spheres.number[sphere])])];
@@ -237,10 +318,13 @@ state::SphereLoad SphereLevels::half_impulse(std::size_t sphere) const {
 
 void SphereLevels::columns(Archive& archive) {
   for (std::size_t l = 0; l < levels_.size(); ++l)
-    archive.folder("level" + std::to_string(l), [&] { levels_[l].pairs.columns(archive); });
-  archive("kicks", counts_.kicks);
-  archive("evaluations", counts_.evaluations);
-  archive("uniform_evaluations", counts_.uniform_evaluations);
+    archive.folder("level" + std::to_string(l),
+                   [&] { (collected_.empty() ? levels_[l].pairs : collected_[l]).columns(archive); });
+  Counts& counts = collected_counts_ ? *collected_counts_ : counts_;
+  archive("kicks", counts.kicks);
+  archive("evaluations", counts.evaluations);
+  archive("uniform_evaluations", counts.uniform_evaluations);
+  collected_counts_.reset();
 }
 
 void SphereLevels::load_columns(Archive& archive) {

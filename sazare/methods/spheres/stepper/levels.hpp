@@ -12,6 +12,7 @@
 /// Levels stay with their spheres; in phase are all at base steps alone, where pairs are found.
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,6 +33,9 @@ class SphereLevels {
 public:
   /// `level` by number of the sphere; empty: all at level 0. The base step [s].
   SphereLevels(std::vector<std::int8_t> level, const methods::spheres::ContactTable& table, Real base_step);
+
+  /// Several ranks share the spheres from now on.
+  void share(RankTiles& ranks) { ranks_ = &ranks; }
 
   /// Whether all spheres take one step.
   bool is_one() const { return levels_.size() == 1; }
@@ -64,6 +68,8 @@ public:
   void activate(const state::Spheres& spheres, Index one, Index other, Real allowed);
   /// Loads and lists of what is worked on together, from the pairs and from the bonds, which are laid out.
   void arrange(const methods::spheres::Bonds& bonds);
+  /// With several ranks: finds what travels in steps, after `arrange`.
+  void plan_border(bool with_turns);
 
   methods::spheres::PairContacts& pairs(std::size_t level) { return levels_[level].pairs; }
   const methods::spheres::PairContacts& pairs(std::size_t level) const { return levels_[level].pairs; }
@@ -118,6 +124,8 @@ public:
   void count_kicks(std::size_t spheres) { counts_.kicks += static_cast<std::int64_t>(spheres); }
   /// Further speeds of bodies of an active level, after their kick.
   void take(std::size_t active_level, const SphereSpeeds& speeds) { levels_[active_level].speeds.take(speeds); }
+  /// Those of a rank's own tiles, by tile, since their last kick; where there is one level.
+  void take_speeds(std::span<SphereSpeeds> by_tile) const;
   /// The largest speeds of all spheres, each since its last kick.
   SphereSpeeds speeds() const;
 
@@ -148,6 +156,18 @@ public:
   void columns(Archive& archive);
   void load_columns(Archive& archive);
 
+  /// With several ranks: the first one comes to know all pairs and contacts, for the next `columns` that writes, and
+  /// `forget_collected` gives their memory back. After a reading a rank keeps those of its own tiles alone.
+  void collect();
+  void forget_collected() { collected_.clear(); }
+  void keep_own();
+  /// The first one comes to know all kept loads; all call it.
+  void collect_loads();
+  /// The counts of all ranks, in the first one; all call it.
+  Counts all_counts() const;
+  /// What `columns` writes of counts from now on; what was read counts in the first rank alone.
+  void take_counts(const Counts& all) { collected_counts_ = all; }
+
 private:
   struct Level {
     Real step = 0;  ///< [s]
@@ -166,6 +186,7 @@ private:
     std::size_t active_level = 0, begin = 0, end = 0;
   };
 
+  bool owns(std::size_t tile) const { return ranks_ == nullptr || ranks_->owners().owns(tile); }
   Level& level_of(const state::Spheres& spheres, Index one, Index other);
   void fly(std::size_t n, std::int64_t tick, state::Spheres& spheres, const Kick& rules);
 
@@ -178,6 +199,9 @@ private:
   std::vector<SphereSpeeds> speeds_;                      ///< by batch
   std::vector<Real> driven_work_;                         ///< by batch, of the last kick [J]
   Counts counts_;
+  RankTiles* ranks_ = nullptr;
+  std::vector<methods::spheres::PairContacts> collected_;  ///< by level
+  std::optional<Counts> collected_counts_;
 };
 
 }  // namespace sazare::methods::spheres

@@ -10,16 +10,12 @@ namespace sazare::methods::spheres {
 /// it has parted.
 void SphereStepper::part_broken(std::size_t coarsest) {
   std::vector<Index> torn;
-  for (std::size_t level = coarsest; level < levels_.count(); ++level) {
-    const auto& links = bonds_.links(level);
-    for (const auto& tile : links.broken)
-      for (const auto& [link, allowed_overlap] : tile) {
-        bonds_.note_broken(level, link);
-        const Index first = links.first[link], second = links.ends.second[link];
-        const Index body = bodies_.empty() ? -1 : bodies_.of(spheres_.number[static_cast<std::size_t>(first)]);
-        if (body >= 0 && body == bodies_.of(spheres_.number[static_cast<std::size_t>(second)])) torn.push_back(body);
-        levels_.activate(spheres_, first, second, allowed_overlap);
-      }
+  for (const Bonds::Broken& one : bonds_.take_broken(coarsest, ranks_.get())) {
+    const auto& links = bonds_.links(one.level);
+    const Index first = links.first[one.link], second = links.ends.second[one.link];
+    const Index body = bodies_.empty() ? -1 : bodies_.of(spheres_.number[static_cast<std::size_t>(first)]);
+    if (body >= 0 && body == bodies_.of(spheres_.number[static_cast<std::size_t>(second)])) torn.push_back(body);
+    levels_.activate(spheres_, first, second, one.allowed_overlap);
   }
   std::ranges::sort(torn);
   torn.erase(std::unique(torn.begin(), torn.end()), torn.end());

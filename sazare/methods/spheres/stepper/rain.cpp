@@ -56,6 +56,7 @@ RainEnd SphereStepper::rain(const RainRules& rules) {
   walls_.stand_still(false);
   water_.stand_still(false);
   drives_ = drove;
+  if (ranks_ != nullptr) clump_border_->share_for_good(clumps_);
   for (std::size_t c = 0, rained = 0; c < all.clumps.size(); ++c) {
     if (rules.rains[static_cast<std::size_t>(all.members[all.begin_of(c)].sphere)] == 0) continue;
     const std::int64_t first = all.clumps[c].first_member;
@@ -117,15 +118,22 @@ Real SphereStepper::unrest() {
   constexpr Real lifted_by = 1e-6, of_gravity = 1e-2;
   evaluate_now();
   UnrestSums all;
-  parallel::sum_over_ranges(spheres_.size(), neighbors::tile_size, all,
-                            [&](std::size_t begin, std::size_t end, UnrestSums& part) {
-                              for (std::size_t i = begin; i < end; ++i) add_unrest(i, part);
-                            });
-  for (std::size_t c = 0; c < clumps_.clumps.size(); ++c) add_unrest_of_clump(c, all);
+  MotionEnergies motion = motion_energies();
+  for (std::size_t c = 0; c < clumps_.clumps.size(); ++c)
+    if (owns_clump(c)) add_unrest_of_clump(c, all);
+  if (ranks_ != nullptr) {
+    visit_own([&](std::size_t i) { add_unrest(i, all); });
+    all = ranks_->sum(all);
+    motion = ranks_->sum(motion);
+  } else {
+    parallel::sum_over_ranges(spheres_.size(), neighbors::tile_size, all,
+                              [&](std::size_t begin, std::size_t end, UnrestSums& part) {
+                                for (std::size_t i = begin; i < end; ++i) add_unrest(i, part);
+                              });
+  }
   const Real mass = all.mass.value(), radius = all.radius.value() / static_cast<Real>(spheres_.size());
-  const SphereEnergies now = energies();
   const Real gravity = rules_.gravity.norm();
-  return std::max((now.translation + now.rotation) / (lifted_by * mass * gravity * radius),
+  return std::max((motion.translation.value() + motion.rotation.value()) / (lifted_by * mass * gravity * radius),
                   std::sqrt(all.square_forces.value() / mass) / (of_gravity * gravity));
 }
 

@@ -43,6 +43,9 @@ bool SphereStepper::may_pass_unseen(const SphereSpeeds& speeds) const {
 }
 
 void SphereStepper::find_pairs() {
+  if (ranks_ != nullptr) ranks_->share(spheres_, parallel::To::all, parallel::Topic::search);
+  bonds_.collect(ranks_.get());  // before tiles change their owners
+  if (ranks_ != nullptr) share_bodies();
   if (step_ >= looked_at_step_ + steps_between_looks) look_at_step();
   find_drift();
   margin_ = margin_for_step();
@@ -78,9 +81,15 @@ void SphereStepper::ask_for_large_pages() const {
 void SphereStepper::arrange() {
   if (!bonds_.empty()) bonds_.arrange(place_, {levels_.count(), levels_.by_number()});
   levels_.arrange(bonds_);
+  if (ranks_ != nullptr) plan_borders();
   share_out();
+  clump_at_.assign(clumps_.empty() ? 0 : spheres_.size(), -1);
+  for (std::size_t c = 0; c < clumps_.clumps.size(); ++c)
+    for (const auto& member : clumps_.members_of(c))
+      clump_at_[static_cast<std::size_t>(place_[static_cast<std::size_t>(member.sphere)])] = static_cast<Index>(c);
   clumps_at_active_level_.assign(levels_.count(), {});
   for (std::size_t c = 0; c < clumps_.clumps.size(); ++c) {
+    if (!owns_clump(c)) continue;
     const Index member = clumps_.members_of(c).front().sphere;
     const auto place = static_cast<std::size_t>(place_[static_cast<std::size_t>(member)]);
     clumps_at_active_level_[levels_.active_level(place)].push_back(static_cast<Index>(c));
@@ -146,11 +155,14 @@ void SphereStepper::wake_broken_within_pieces() {
 void SphereStepper::find_walls(std::span<const Index> places_before) {
   if (walls_.walls().empty()) return;
   const auto level = levels_.by_place(spheres_);
-  walls_.find(spheres_, time(), rules_.wall_margin, places_before, {levels_.count(), level});
+  walls_.find(spheres_, time(), rules_.wall_margin, places_before, {levels_.count(), level, ranks_.get()});
   wall_radius_ = 0;
   for (const auto& wall : walls_.walls())
     if (wall.motion.moves())
-      for (const auto& place : spheres_.place) wall_radius_ = std::max(wall_radius_, (place.centre() - wall.motion.pivot).norm());
+      visit_own(
+          [&](std::size_t i) { wall_radius_ = std::max(wall_radius_, (spheres_.place[i].centre() - wall.motion.pivot).norm()); });
+  if (ranks_ != nullptr) wall_radius_ = ranks_->largest(wall_radius_);
+  agree_on_passage();
   wall_approach_ = 0;
 }
 

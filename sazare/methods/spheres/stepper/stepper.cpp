@@ -76,7 +76,7 @@ void SphereStepper::start() {
   evaluate_now();
   for (state::Clump& clump : clumps_.clumps) methods::spheres::kick(clump, {-1 * clump.impulse_ahead, -1 * clump.turning_ahead});
   levels_.count_anew();
-  for (std::size_t i = 0; i < spheres_.size(); ++i) {
+  visit_own([&](std::size_t i) {
     const Vector3 back = half_kick(i), turn_back = half_turning_kick(i);
     state::SphereKick& kick = spheres_.kick[i];
     kick.vx -= back.x();
@@ -86,21 +86,24 @@ void SphereStepper::start() {
     kick.wy -= turn_back.y();
     kick.wz -= turn_back.z();
     largest_speed_ = std::max(largest_speed_, spheres_.place[i].velocity().norm());
-  }
+  });
+  if (ranks_ != nullptr) largest_speed_ = ranks_->largest(largest_speed_);
   works_.begin(motion_energies().carried);
 }
 
 /// Evaluates what is due at a tick of a base step.
 void SphereStepper::evaluate(std::int64_t tick) {
   walls_.move(time_of(tick));
-  levels_.evaluate(tick, scene(tick));
+  spend([&] { levels_.evaluate(tick, scene(tick)); });
+  if (ranks_ != nullptr && !clumps_.empty()) clump_border_->bring_loads(levels_.coarsest_due(tick), water_);
   add_work(tick);
 }
 
 /// Adds up what the evaluation of a tick has given.
 void SphereStepper::add_work(std::int64_t tick) {
   const std::size_t coarsest = levels_.coarsest_due(tick);
-  if (levels_.add_work(tick, works_) > 0) part_broken(coarsest);
+  const std::int64_t broken = levels_.add_work(tick, works_);
+  if (bonds_.may_break() && (ranks_ == nullptr ? broken > 0 : ranks_->any(broken > 0))) part_broken(coarsest);
   if (walls_.have_surfaces())
     for (std::size_t level = coarsest; level < levels_.count(); ++level) walls_.note_passages(level);
   walls_.add_work_of_surface(rules_.step);
@@ -109,6 +112,7 @@ void SphereStepper::add_work(std::int64_t tick) {
 void SphereStepper::evaluate_now() {
   if (evaluated_) return;
   evaluate(0);
+  agree_on_passage();
   hold_clumps();
   evaluated_ = true;
 }
@@ -198,11 +202,11 @@ void SphereStepper::measure(const SphereSpeeds& speeds) {
     missed_way_ = std::max(missed_way_, way);
 }
 
-/// How much nearer spheres may have come in the last walk that one tile looks at: the fast ones are elsewhere for most.
-void SphereStepper::measure_tiles() {
+/// How much nearer spheres may have come in the last step that one tile looks at: the fast ones are elsewhere for most.
+void SphereStepper::measure_tiles(std::span<const SphereSpeeds> by_tile) {
   for (std::size_t tile = 0; tile < tile_approach_.size(); ++tile) {
-    SphereSpeeds speeds = speeds_[tile];
-    for (const Index visited : levels_.loads(0).visited_by(tile)) speeds.take(speeds_[static_cast<std::size_t>(visited)]);
+    SphereSpeeds speeds = by_tile[tile];
+    for (const Index visited : levels_.loads(0).visited_by(tile)) speeds.take(by_tile[static_cast<std::size_t>(visited)]);
     tile_approach_[tile] += rules_.step * (speeds.first + speeds.second);
   }
 }
@@ -218,9 +222,13 @@ void SphereStepper::advance() {
   if (can_walk()) {
     speeds = walk();
     measure(speeds);
-    measure_tiles();
+    measure_tiles(speeds_);
   } else {
     for (std::int64_t tick = 0; tick < levels_.ticks(); ++tick) {
+      if (ranks_ != nullptr) {
+        speeds = advance_own(tick);
+        continue;
+      }
       if (tick > 0 || !evaluated_) evaluate(tick);
       speeds = kick(tick);
       measure(speeds);
@@ -241,8 +249,10 @@ void SphereStepper::columns(Archive& archive) {
   archive.folder("spheres", [&] { spheres_.columns(archive); });
   levels_.columns(archive);
   archive.folder("clumps", [&] { clumps_.columns(archive); });
+  if (!archive.reading() && ranks_ == nullptr) bonds_.collect(nullptr);
   archive.folder("bonds", [&] { bonds_.columns(archive); });
   if (archive.reading()) {
+    if (ranks_ != nullptr) levels_.keep_own();
     find_places();
     bodies_.find_pieces(bonds_);
     arrange();
@@ -258,7 +268,10 @@ void SphereStepper::columns(Archive& archive) {
   archive("tile_approach", tile_approach_);
   archive("margin", margin_);
   archive("largest_speed", largest_speed_);
-  archive.folder("works", [&] { works_.columns(archive); });
+  archive.folder("works", [&] { (collected_works_ ? *collected_works_ : works_).columns(archive); });
+  if (ranks_ != nullptr && archive.reading() && !ranks_->ranks().is_first()) works_ = {};  // the first one has what was
+  collected_works_.reset();
+  levels_.forget_collected();
   archive("step_load", step_load_.load);
   archive("step_load_sphere", step_load_.sphere);
   archive("looked_at_step", looked_at_step_);

@@ -10,12 +10,15 @@
 
 #include <atomic>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
 
 #include "sazare/methods/spheres/bonded_bodies.hpp"
 #include "sazare/methods/spheres/pair_contacts.hpp"
+#include "sazare/methods/spheres/ranks/clump_border.hpp"
+#include "sazare/methods/spheres/ranks/rank_tiles.hpp"
 #include "sazare/methods/spheres/step_load.hpp"
 #include "sazare/methods/spheres/stepper/levels.hpp"
 #include "sazare/methods/spheres/stepper/motion_sums.hpp"
@@ -23,6 +26,7 @@
 #include "sazare/methods/spheres/stepper/work_sums.hpp"
 #include "sazare/methods/spheres/wall_contacts.hpp"
 #include "sazare/parallel/progress.hpp"
+#include "sazare/parallel/threads.hpp"
 #include "sazare/state/clumps.hpp"
 
 namespace sazare::methods::spheres {
@@ -94,6 +98,18 @@ public:
     works_.wall_work += walls_.lead(time(), rules_.step, std::move(from), std::move(with));
   }
 
+  /// Several ranks share the spheres from now on, before `start` or a resume; there is no surface with nodes. Every rank then
+  /// makes the same calls, but for those that only look.
+  void share(const parallel::Ranks& ranks, Division division);
+  /// The part of this rank in what all share; nullptr where there is one alone.
+  const RankTiles* ranks() const { return ranks_.get(); }
+  /// What had to be sent in steps so far, by the lists of ghosts and of clumps.
+  parallel::Sent expected_to_send() const;
+  /// Makes energies and sums at `time()` known to the first rank, and where asked for the motion of all spheres.
+  void survey(bool with_motion);
+  /// Makes all that `columns` writes known to the first rank.
+  void collect();
+
   /// Evaluates the beginning; call once before the first `advance`, not after a resume.
   void start();
 
@@ -125,7 +141,9 @@ public:
   state::SphereLoad load(std::size_t sphere) const;
   Vector3 velocity(std::size_t sphere) const;
   Vector3 spin(std::size_t sphere) const;
-  SphereEnergies energies() const { return energies_of(works_, motion_energies()); }
+  SphereEnergies energies() const {
+    return ranks_ == nullptr ? energies_of(works_, motion_energies()) : energies_of(surveyed_.works, surveyed_.motion);
+  }
   Vector3 momentum() const { return momenta().linear.value(); }
   /// About the origin [kg m2/s].
   Vector3 angular_momentum() const { return momenta().angular.value(); }
@@ -135,12 +153,14 @@ public:
   Momenta momenta() const;
 
   /// Touching pairs of spheres, and of spheres and walls.
-  std::int64_t contacts() const { return works_.contacts; }
+  std::int64_t contacts() const { return all_works().contacts; }
   std::int64_t searches() const { return searches_; }
   /// Bonds that have broken so far.
-  std::int64_t broken_bonds() const { return works_.broken; }
+  std::int64_t broken_bonds() const { return all_works().broken; }
   /// The largest speed in the last step [m/s]; infinite when one is no number.
   Real largest_speed() const { return largest_speed_; }
+  /// What contacts and spheres did so far; with several ranks at the last survey.
+  const SphereLevels::Counts& counts() const { return ranks_ == nullptr ? levels_.counts() : surveyed_counts_; }
   /// Steps of single spheres so far.
   std::int64_t particle_steps() const { return levels_.counts().kicks; }
   /// With several levels: whether two spheres came so fast within a base step that they may have met before they were sought as a
@@ -159,6 +179,7 @@ public:
   void columns(Archive& archive);
 
 private:
+  const WorkSums& all_works() const { return ranks_ == nullptr ? works_ : surveyed_.works; }
   Vector3 acceleration(std::size_t sphere) const;
   Vector3 half_kick(std::size_t sphere) const;
   Vector3 half_turning_kick(std::size_t sphere) const;
@@ -181,8 +202,35 @@ private:
   Real carry_water(state::Clump& clump, std::span<const state::ClumpMember> members) const;
   void kick_clumps(std::size_t active_level, std::int64_t tick);
   void measure(const SphereSpeeds& speeds);
-  void measure_tiles();
+  void measure_tiles(std::span<const SphereSpeeds> by_tile);
   Real wall_approach_in(Real seconds, const SphereSpeeds& speeds) const;
+
+  /// Calls visit(place) for the spheres for which this process works.
+  template <class Visit>
+  void visit_own(Visit&& visit) const {
+    if (ranks_ == nullptr)
+      for (std::size_t i = 0; i < spheres_.size(); ++i) visit(i);
+    else
+      ranks_->visit_own([&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) visit(i);
+      });
+  }
+  /// Does work whose processor time counts for the tiles of this rank.
+  template <class Work>
+  void spend(const Work& work) {
+    if (ranks_ == nullptr) return work();
+    const Real began = parallel::processor_seconds(), at_border = ranks_->border().seconds();
+    work();
+    ranks_->spent(parallel::processor_seconds() - began - (ranks_->border().seconds() - at_border));
+  }
+  bool owns_clump(std::size_t clump) const { return ranks_ == nullptr || clump_border_->owns(clump); }
+  int owner_of_body(std::size_t sphere) const;
+  SphereSpeeds advance_own(std::int64_t tick);
+  void collect_motion(parallel::Topic topic);
+  void share_bodies();
+  void share_added_masses(parallel::Topic topic);
+  void agree_on_passage();
+  void plan_borders();
 
   bool can_walk() const;
   SphereSpeeds walk();
@@ -198,7 +246,17 @@ private:
   void share_out();
   void balance();
 
-  void visit_contacts(const std::function<void(const methods::spheres::ContactPoint&)>& visit) const;
+  using ContactsByTile = std::vector<std::vector<std::vector<ContactPoint>>>;  ///< by level and tile
+  /// Those of other ranks that act on bodies of this one, with spheres and with walls.
+  struct OthersContacts {
+    ContactsByTile pairs, walls;
+  };
+  OthersContacts contacts_of_others() const;
+  template <class Visit>
+  void visit_contacts_of(std::size_t tile, std::size_t level, const Visit& visit) const;
+  template <class Visit>
+  void visit_wall_contacts_of(std::size_t tile, std::size_t level, const Visit& visit) const;
+  void visit_contacts(const OthersContacts& of_others, const std::function<void(const ContactPoint&)>& visit) const;
   bool seek_in_time(const SphereSpeeds& speeds);
   bool may_pass_unseen(const SphereSpeeds& speeds) const;
   void find_pairs();
@@ -235,8 +293,11 @@ private:
   methods::spheres::AppliedForces applied_;
   std::vector<Index> body_;   ///< by number of the sphere: its clump, below 0 where none; empty without clumps
   std::vector<Index> place_;  ///< by number, where the spheres stand; empty without bodies and bonds
+  std::vector<Index> clump_at_;  ///< by place: which of `clumps_` a sphere is of, below 0 where none; empty without clumps
   std::vector<std::vector<Index>> clumps_at_active_level_;
   SphereRules rules_;
+  std::shared_ptr<RankTiles> ranks_;           ///< nullptr alone; steppers that are copied, in a coupling, are
+  std::shared_ptr<ClumpBorder> clump_border_;  ///< beside it
   SphereLevels levels_;
   std::int64_t step_ = 0, searches_ = 0;
   bool drives_ = false;              ///< some held sphere moves
@@ -252,6 +313,14 @@ private:
   Real wall_radius_ = 0;      ///< of the spheres about the pivots of the walls [m]
   Real largest_speed_ = 0;
   WorkSums works_;
+  /// With several ranks, in the first one: the sums of all of them at the last survey.
+  struct Surveyed {
+    WorkSums works;
+    MotionEnergies motion;
+  };
+  Surveyed surveyed_;
+  SphereLevels::Counts surveyed_counts_;
+  std::optional<WorkSums> collected_works_;  ///< likewise, for the next `columns` that writes
   std::vector<Real> clumps_carried_;  ///< by clump of an active level: ContactSums::carried_energy of the last kick [J]
   methods::spheres::StepLoad step_load_;
   std::int64_t looked_at_step_ = -1;  ///< when `look_at_step` did so last

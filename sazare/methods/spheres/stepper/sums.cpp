@@ -86,11 +86,16 @@ void SphereStepper::add_energies(const state::Clump& clump, MotionEnergies& sums
 
 MotionEnergies SphereStepper::motion_energies() const {
   MotionEnergies sums;
-  parallel::sum_over_ranges(spheres_.size(), neighbors::tile_size, sums,
-                            [&](std::size_t begin, std::size_t end, MotionEnergies& part) {
-                              for (std::size_t i = begin; i < end; ++i) add_energies(i, part);
-                            });
-  for (const state::Clump& clump : clumps_.clumps) add_energies(clump, sums);
+  if (ranks_ != nullptr) {
+    visit_own([&](std::size_t i) { add_energies(i, sums); });
+  } else {
+    parallel::sum_over_ranges(spheres_.size(), neighbors::tile_size, sums,
+                              [&](std::size_t begin, std::size_t end, MotionEnergies& part) {
+                                for (std::size_t i = begin; i < end; ++i) add_energies(i, part);
+                              });
+  }
+  for (std::size_t c = 0; c < clumps_.clumps.size(); ++c)
+    if (owns_clump(c)) add_energies(clumps_.clumps[c], sums);
   return sums;
 }
 

@@ -12,7 +12,9 @@ namespace sazare::methods::spheres {
 
 /// A clump waits for the forces on all its spheres; and where a body parts, its pieces push beyond the overlap that they had when
 /// forces were evaluated, before any sphere moved.
-bool SphereStepper::can_walk() const { return levels_.is_one() && clumps_.empty() && bodies_.empty() && !evaluated_; }
+bool SphereStepper::can_walk() const {
+  return levels_.is_one() && clumps_.empty() && bodies_.empty() && ranks_ == nullptr && !evaluated_;
+}
 
 /// Forces and kicks of all spheres. Returns their speeds.
 SphereSpeeds SphereStepper::walk() {
