@@ -2,7 +2,9 @@
 
 import json
 import os
+import signal
 import subprocess
+import time
 from pathlib import Path
 
 import pytest
@@ -42,10 +44,31 @@ class Sazare:
         """A process that goes on."""
         return subprocess.Popen(self.command(*arguments), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
+    def start_on(self, ranks, *arguments):
+        """So many processes that go on; 0 stands for one without a launcher."""
+        if ranks == 0:
+            return self.start(*arguments)
+        return subprocess.Popen(
+            self.ranks_command(ranks, *arguments), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=MPI_ENVIRONMENT
+        )
+
     def run_block(self, folder, *settings, options=(), **more):
         """Runs the small block into a folder."""
         sets = [word for setting in settings for word in ("--set", setting)]
         return self("run", BLOCK, "--out", folder, "--threads", 1, *sets, *options, **more)
+
+
+def kill_one(launcher):
+    """Kills a process of a run that is not the first one."""
+    children = subprocess.run(["pgrep", "-P", str(launcher.pid)], capture_output=True, text=True, check=True).stdout.split()
+    os.kill(int(children[-1]), signal.SIGKILL)
+
+
+def wait_for(path):
+    end = time.monotonic() + 60
+    while not path.exists():
+        assert time.monotonic() < end, f"{path} did not appear"
+        time.sleep(0.002)
 
 
 def settling_block(folder):

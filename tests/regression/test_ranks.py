@@ -7,7 +7,19 @@ import subprocess
 import time
 
 import pytest
-from conftest import DONE, MACHINE_FAILED, MPI_ENVIRONMENT, PROGRAM, USER_ERROR, Sazare, manifest, rows_without_wall_time, settling_block
+from conftest import (
+    DONE,
+    MACHINE_FAILED,
+    MPI_ENVIRONMENT,
+    PROGRAM,
+    USER_ERROR,
+    Sazare,
+    kill_one,
+    manifest,
+    rows_without_wall_time,
+    settling_block,
+    wait_for,
+)
 
 OFTEN = "output.checkpoint_interval=0.02"
 LATER = "time.end=4e-4"
@@ -263,16 +275,9 @@ def test_check_foretells_the_lock_step_of_ranks(sazare, tmp_path, policy):
 
 
 def test_check_of_a_method_in_one_process_refuses_ranks(sazare):
-    refused = sazare("check", sazare.block.parents[3] / "cases/tetrapod-drop/case.toml", "--ranks", 4)
+    refused = sazare("check", sazare.block.parents[3] / "cases/column-ricker/case.toml", "--ranks", 4)
     assert refused.returncode == USER_ERROR
     assert "one process" in refused.stderr
-
-
-def kill_one(process, folder):
-    """Waits for a checkpoint, then kills a process of the run that is not the first one."""
-    wait_for(folder / "checkpoint" / "state.h5")
-    children = subprocess.run(["pgrep", "-P", str(process.pid)], capture_output=True, text=True, check=True).stdout.split()
-    os.kill(int(children[-1]), signal.SIGKILL)
 
 
 def test_a_process_that_dies_ends_the_run_and_leaves_a_checkpoint_for_any_number(sazare, tmp_path, long_alone):
@@ -282,7 +287,8 @@ def test_a_process_that_dies_ends_the_run_and_leaves_a_checkpoint_for_any_number
             sazare.ranks_command(ranks_then, *block_run(sazare, folder, *LONG)),
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=MPI_ENVIRONMENT,
         )
-        kill_one(process, folder)
+        wait_for(folder / "checkpoint" / "state.h5")
+        kill_one(process)
         _, words = process.communicate(timeout=60)
         assert process.returncode != DONE
         assert "signal 9" in words
@@ -325,10 +331,3 @@ def test_errors_are_said_once(sazare, tmp_path):
     assert refused.returncode == USER_ERROR
     assert refused.stderr.count("time.end") + refused.stderr.count("end = -1") >= 1
     assert refused.stderr.count("nothing was run") == 1
-
-
-def wait_for(path):
-    end = time.monotonic() + 60
-    while not path.exists():
-        assert time.monotonic() < end, f"{path} did not appear"
-        time.sleep(0.002)
