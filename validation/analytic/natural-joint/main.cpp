@@ -105,7 +105,8 @@ void print_plane_joint() {
   validation::print_row("plane", pair.stress().y() / pressure, std::tan(residual_angle * degree));
 }
 
-/// A block slides on another, which is held, under a pressure of 1 MPa by its weight, until it stands.
+/// A block slides on another, which is held, under a pressure of 1 MPa by its weight, until it stands. Dilation makes it hop, so
+/// that its way is not that of a constant pressure; its energy must be accounted for.
 void print_sliding_block() {
   constexpr Real pressure = 1e6, speed = 10;
   auto blocks = test::two_block_case(true);
@@ -122,10 +123,6 @@ void print_sliding_block() {
   const auto& right = model.simulation->bodies().motion[1];
   while (right.velocity.y() > 0 && model.simulation->now().seconds() < 2e-3) model.simulation->advance();
   const Real energy = 0.5 * mass * speed * speed;
-  Real distance = 0, work = 0;  // the block stands where the shear stress has taken its motion
-  for (constexpr Real part = 1e-8; work < energy; distance += part)
-    work += area * barton(pressure, mobilised((distance + 0.5 * part) / peak_slip)) * part;
-  validation::print_row("stopping", right.position.y() - model.simulation->bodies().start[1].y(), distance);
   validation::print_row("energy-balance", std::abs(model.simulation->energy_balance().residual()) / energy);
 }
 
