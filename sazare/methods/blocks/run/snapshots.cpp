@@ -118,6 +118,7 @@ struct Snapshots::Picture {
   std::vector<std::int32_t> fragment;  ///< by element
   std::vector<JointState> state;       ///< by joint
   std::vector<std::int8_t> mode;       ///< by joint, see mode_of
+  std::vector<Real> rate_factor;       ///< by joint: of the strength, by its rate of loading; empty where no joint follows it
   ElementStresses stress;
 };
 
@@ -141,7 +142,7 @@ void Snapshots::resume(std::size_t count) {
 
 void Snapshots::write(Real time, levels::Snapshot<3> now, const FragmentMap& fragments) {
   finish_writing();
-  Picture taken{time, std::move(now), {}, {}, fragments.of_element, {}, {}, {}};
+  Picture taken{time, std::move(now), {}, {}, fragments.of_element, {}, {}, {}, {}};
   taken.spin = spins_of(model_->simulation->bodies(), taken.now);
   release(taken.now.angular_momentum);
   taken.stress = element_stresses(*model_, taken.now);
@@ -154,6 +155,7 @@ void Snapshots::write(Real time, levels::Snapshot<3> now, const FragmentMap& fra
   for (Index joint = 0; joint < joints; ++joint) {
     taken.state.push_back(model_->joints->state(joint));
     taken.mode.push_back(mode_of(*model_->joints, joint));
+    if (model_->joints->follow_rates()) taken.rate_factor.push_back(model_->joints->strength_factor(joint));
   }
   writing_ = std::async(std::launch::async, [this, taken = std::move(taken)]() mutable {
     const Picture picture = std::move(taken);  // goes when it is written, not when the next one comes
@@ -209,8 +211,9 @@ void Snapshots::write_joints(const Picture& picture) {
   const CaseKinds& kinds = model_->kinds;
   const auto kind_of = [&](Index joint) { return at(model_->joints->record(joint).kind); };
   const auto kind = made<std::int32_t>(count, [&](Index joint) { return kinds.entry[kind_of(joint)]; });
-  const auto factor =
-      made<Real>(count, [&](Index joint) { return kinds.factor[kind_of(joint)] * model_->joints->strength_factor(joint); });
+  const auto factor = made<Real>(count, [&](Index joint) {
+    return kinds.factor[kind_of(joint)] * (picture.rate_factor.empty() ? 1 : picture.rate_factor[at(joint)]);
+  });
   observe::Grid grid{observe::Grid::Cell::triangle, {}, {}, {}, picture.time};
   grid.own_points = points;
   grid.cell_data = observe::cell_data(columns::blocks::joints, state, mode, gaps.opening, gaps.slip, kind, factor);
