@@ -7,7 +7,7 @@
 
 #include "sazare/levels/motion/strain.hpp"
 #include "sazare/levels/simulation.hpp"
-#include "sazare/levels/terms/sum_over_ranges.hpp"
+#include "sazare/parallel/sum_over_ranges.hpp"
 #include "sazare/parallel/threads.hpp"
 
 namespace sazare::levels {
@@ -108,7 +108,7 @@ Real Simulation<D>::kinetic_energy() {
   const distribute::BodyRange all{0, bodies_.size()};
   const auto own = own_ranges(all);
   terms::EnergySums sums;
-  terms::sum_over_ranges(
+  parallel::sum_over_ranges(
       at(bodies_.size()), serial_below, sums, [&](std::size_t begin, std::size_t end, terms::EnergySums& part) {
         ExactSum& sum = part[terms::EnergyKind::kinetic];
         for (const distribute::BodyRange& range : own) {

@@ -9,7 +9,7 @@
 #include "sazare/levels/motion/strain.hpp"
 #include "sazare/levels/motion/synchronize.hpp"
 #include "sazare/levels/simulation.hpp"
-#include "sazare/levels/terms/sum_over_ranges.hpp"
+#include "sazare/parallel/sum_over_ranges.hpp"
 #include "sazare/parallel/threads.hpp"
 
 namespace sazare::levels {
@@ -131,7 +131,7 @@ void Simulation<D>::sum_body_energies(const Snapshot<D>& at_now, const distribut
   ahead.resize(at_now.pose.size());
   const distribute::BodyRange all{0, static_cast<Index>(ahead.size())};
   const auto own = shared == nullptr ? std::span(&all, 1) : shared->own_ranges();
-  terms::sum_over_ranges(ahead.size(), serial_below, sums, [&](std::size_t begin, std::size_t end, terms::EnergySums& part) {
+  parallel::sum_over_ranges(ahead.size(), serial_below, sums, [&](std::size_t begin, std::size_t end, terms::EnergySums& part) {
     const auto some = [&](const auto& column) { return std::span(column).subspan(begin, end - begin); };
     std::vector<Real> kinetic(end - begin);
     motion::find_energies<D>(bodies_, begin, {some(at_now.pose), some(at_now.velocity), some(at_now.angular_momentum)}, kinetic,

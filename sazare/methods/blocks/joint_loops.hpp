@@ -8,9 +8,9 @@
 
 #include "sazare/core/large_tables.hpp"
 #include "sazare/levels/terms/lane_slots.hpp"
-#include "sazare/levels/terms/sum_over_ranges.hpp"
 #include "sazare/methods/blocks/deformation/joint_strains.hpp"
 #include "sazare/methods/blocks/joints.hpp"
+#include "sazare/parallel/sum_over_ranges.hpp"
 #include "sazare/parallel/threads.hpp"
 
 namespace sazare::methods::blocks {
@@ -315,7 +315,7 @@ void JointsOf<Laws>::add_energies(const terms::Synchronized<3>& synchronized, te
     for (auto first = static_cast<Index>(begin); at(first) < end; first += lane_count)
       add_energies(first, std::min(first + lane_count, static_cast<Index>(end)), synchronized, own);
   };
-  terms::sum_over_ranges(links_.size(), joint_loops::serial_below, energies, add_range);
+  parallel::sum_over_ranges(links_.size(), joint_loops::serial_below, energies, add_range);
 }
 
 /// Which of as many joints as there are lanes have a law.
