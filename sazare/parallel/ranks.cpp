@@ -141,13 +141,14 @@ Gathered Ranks::gather(std::span<const std::byte> own, Topic topic, To to) const
     MPI_Iallgather(&size, 1, MPI_UINT64_T, sizes.data(), 1, MPI_UINT64_T, MPI_COMM_WORLD, &request);
     wait({&request, 1});
   }
-  for (std::size_t rank = 0; rank < n; ++rank) gathered.begin[rank + 1] = gathered.begin[rank] + sizes[rank];
+  const std::size_t part = largest_part / n, largest = *std::max_element(sizes.begin(), sizes.end());
+  const bool keeps_all = to == To::all || is_first();
+  for (std::size_t rank = 0; rank < n; ++rank)
+    gathered.begin[rank + 1] = gathered.begin[rank] + (keeps_all || static_cast<int>(rank) == rank_ ? sizes[rank] : 0);
   gathered.bytes.resize(gathered.begin.back());
   count(topic, own.size(), to == To::all ? size_ - 1 : is_first() ? 0 : 1);
-  const std::size_t part = largest_part / n, largest = *std::max_element(sizes.begin(), sizes.end());
   for (std::size_t done = 0; done < largest; done += part) gather_round(gathered, own, to, done, part);
-  if (to == To::first && !is_first())
-    std::ranges::copy(own, gathered.bytes.begin() + static_cast<std::ptrdiff_t>(gathered.begin[static_cast<std::size_t>(rank_)]));
+  if (!keeps_all) std::ranges::copy(own, gathered.bytes.begin());
   return gathered;
 }
 
@@ -193,7 +194,7 @@ void Ranks::exchange(const std::vector<Message>& sent, std::vector<Message>& rec
   Wait wait(*this);
   std::vector<MPI_Request> requests;
   const auto for_parts = [&](std::size_t size, auto&& begin_part) {  // they arrive in the order in which they are sent
-    for (std::size_t done = 0; done == 0 || done < size; done += largest_part)
+    for (std::size_t done = 0; done < size; done += largest_part)
       begin_part(done, count_of(std::min(largest_part, size - done)), &requests.emplace_back(MPI_REQUEST_NULL));
   };
   for (Message& message : received)
@@ -201,6 +202,7 @@ void Ranks::exchange(const std::vector<Message>& sent, std::vector<Message>& rec
       MPI_Irecv(message.bytes.data() + at, count, MPI_BYTE, message.rank, 0, MPI_COMM_WORLD, request);
     });
   for (const Message& message : sent) {
+    if (message.bytes.empty()) continue;
     for_parts(message.bytes.size(), [&](std::size_t at, int bytes, MPI_Request* request) {
       MPI_Isend(message.bytes.data() + at, bytes, MPI_BYTE, message.rank, 0, MPI_COMM_WORLD, request);
     });

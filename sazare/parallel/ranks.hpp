@@ -86,7 +86,7 @@ public:
   /// The first rank's number to everybody; all call it.
   std::int64_t from_first(std::int64_t number) const;
 
-  /// Sends messages and fills those that come: their ranks and sizes are known.
+  /// Sends messages and fills those that come: their ranks and sizes are known. Empty ones do not travel.
   void exchange(const std::vector<Message>& sent, std::vector<Message>& received, Topic topic) const;
 
   /// Ends all processes at once with this exit code; nothing is flushed.
