@@ -12,20 +12,10 @@ namespace sazare::methods::spheres {
 
 namespace {
 
-/// Force and moment.
-using LoadNumbers = std::array<Real, 6>;
 /// Place, velocity and spin: what forces need of a sphere, and what changes of it in a step.
 using MotionNumbers = std::array<Real, 9>;
 
-static_assert(sizeof(LoadNumbers) == Border::bytes_of_load && sizeof(MotionNumbers) == Border::bytes_of_motion &&
-              sizeof(state::SphereTurn) == Border::bytes_of_turn);
-
-LoadNumbers numbers_of(const state::SphereLoad& load) { return {load.fx, load.fy, load.fz, load.mx, load.my, load.mz}; }
-
-void put(const LoadNumbers& numbers, state::SphereLoad& load) {
-  load.fx = numbers[0], load.fy = numbers[1], load.fz = numbers[2];
-  load.mx = numbers[3], load.my = numbers[4], load.mz = numbers[5];
-}
+static_assert(sizeof(MotionNumbers) == Border::bytes_of_motion && sizeof(state::SphereTurn) == Border::bytes_of_turn);
 
 MotionNumbers motion_of(const state::Spheres& spheres, Index at) {
   const auto i = static_cast<std::size_t>(at);
@@ -48,21 +38,6 @@ struct Look {
   Index tile = 0, sphere = 0;
 };
 using Looks = std::vector<Look>;
-
-/// Writes a record into a message or reads it from there, and goes on to the next one.
-template <class Record>
-void write(std::byte*& to, const Record& record) {
-  std::memcpy(to, &record, sizeof record);
-  to += sizeof record;
-}
-
-template <class Record>
-Record read(const std::byte*& from) {
-  Record record;
-  std::memcpy(&record, from, sizeof record);
-  from += sizeof record;
-  return record;
-}
 
 }  // namespace
 
@@ -105,12 +80,6 @@ void Border::plan(const TileOwners& owners, std::vector<Level> levels, bool with
     }
   finish(theirs_);
   finish(ours_);
-  rounds_.clear();
-  for (std::size_t coarsest = 0; coarsest < levels_.size(); ++coarsest) {
-    const auto loads = [&](const Side& side) { return bytes_of_loads(side, coarsest); };
-    const auto motion = [&](const Side& side) { return bytes_of_spheres(side, coarsest); };
-    rounds_.push_back({messages(theirs_, loads), messages(ours_, loads), messages(ours_, motion), messages(theirs_, motion)});
-  }
 }
 
 /// Names each sphere once, and finds which of them are kicked and their tiles.
@@ -131,13 +100,6 @@ void Border::finish(std::vector<Side>& sides) const {
   }
 }
 
-/// A message for each side, also where it is empty.
-Border::Messages Border::messages(const std::vector<Side>& sides, const std::function<std::size_t(const Side&)>& bytes) const {
-  Messages list;
-  for (const Side& side : sides) list.push_back({side.rank, std::vector<std::byte>(bytes(side))});
-  return list;
-}
-
 std::size_t Border::bytes_of_loads(const Side& side, std::size_t coarsest) const {
   std::size_t count = 0;
   for (std::size_t level = coarsest; level < levels_.size(); ++level) count += side.loads[level].size();
@@ -148,75 +110,50 @@ std::size_t Border::bytes_of_spheres(const Side& side, std::size_t coarsest) con
   return side.kicked[coarsest] * (bytes_of_motion + (with_turns_ ? bytes_of_turn : 0)) + side.tiles.size() * sizeof(SphereSpeeds);
 }
 
+template <class Bytes>
+void Border::plan(const std::vector<Side>& to, const std::vector<Side>& from, Bytes&& bytes) {
+  for (std::size_t n = 0; n < to.size(); ++n) messages_.plan(to[n].rank, bytes(to[n]), bytes(from[n]));
+}
+
 void Border::bring_loads(std::size_t coarsest) {
   const Real began = parallel::processor_seconds();
-  Round& round = rounds_[coarsest];
-  for (std::size_t n = 0; n < theirs_.size(); ++n) {
-    std::byte* to = round.sent_loads[n].bytes.data();
+  plan(theirs_, ours_, [&](const Side& side) { return bytes_of_loads(side, coarsest); });
+  for (const Side& side : theirs_) {
+    MessageWriter to = messages_.to(side.rank);
     for (std::size_t level = coarsest; level < levels_.size(); ++level)
-      for (const Index load : theirs_[n].loads[level]) write(to, numbers_of(levels_[level].loads->load_of_ghost(load)));
+      for (const Index load : side.loads[level]) to.write(numbers_of(levels_[level].loads->load_of_ghost(load)));
   }
-  expect(round.sent_loads);
-  exchange(round.sent_loads, round.received_loads);
-  for (std::size_t n = 0; n < ours_.size(); ++n) {
-    const std::byte* from = round.received_loads[n].bytes.data();
+  messages_.exchange();
+  for (const Side& side : ours_) {
+    MessageReader from = messages_.from(side.rank);
     for (std::size_t level = coarsest; level < levels_.size(); ++level)
-      for (const Index load : ours_[n].loads[level]) put(read<LoadNumbers>(from), levels_[level].loads->load_of_ghost(load));
+      for (const Index load : side.loads[level]) levels_[level].loads->load_of_ghost(load) = load_of(from.read<LoadNumbers>());
   }
   seconds_ += parallel::processor_seconds() - began;
 }
 
 void Border::show_motion(state::Spheres& spheres, std::span<SphereSpeeds> by_tile, std::size_t coarsest) {
   const Real began = parallel::processor_seconds();
-  Round& round = rounds_[coarsest];
-  for (std::size_t n = 0; n < ours_.size(); ++n)
-    write_motion(ours_[n], coarsest, spheres, by_tile, round.sent_motion[n].bytes.data());
-  expect(round.sent_motion);
-  exchange(round.sent_motion, round.received_motion);
-  for (std::size_t n = 0; n < theirs_.size(); ++n)
-    read_motion(theirs_[n], coarsest, spheres, by_tile, round.received_motion[n].bytes.data());
+  const auto kicked = [&](const Side& side) { return std::span(side.spheres).first(side.kicked[coarsest]); };
+  plan(ours_, theirs_, [&](const Side& side) { return bytes_of_spheres(side, coarsest); });
+  for (const Side& side : ours_) {
+    MessageWriter to = messages_.to(side.rank);
+    for (const Index sphere : kicked(side)) {
+      to.write(motion_of(spheres, sphere));
+      if (with_turns_) to.write(spheres.turn[static_cast<std::size_t>(sphere)]);
+    }
+    for (const std::size_t tile : side.tiles) to.write(by_tile[tile]);
+  }
+  messages_.exchange();
+  for (const Side& side : theirs_) {
+    MessageReader from = messages_.from(side.rank);
+    for (const Index sphere : kicked(side)) {
+      put(from.read<MotionNumbers>(), spheres, sphere);
+      if (with_turns_) spheres.turn[static_cast<std::size_t>(sphere)] = from.read<state::SphereTurn>();
+    }
+    for (const std::size_t tile : side.tiles) by_tile[tile] = from.read<SphereSpeeds>();
+  }
   seconds_ += parallel::processor_seconds() - began;
-}
-
-void Border::write_motion(const Side& side, std::size_t coarsest, const state::Spheres& spheres,
-                          std::span<const SphereSpeeds> by_tile, std::byte* to) const {
-  for (const Index sphere : std::span(side.spheres).first(side.kicked[coarsest])) {
-    write(to, motion_of(spheres, sphere));
-    if (with_turns_) write(to, spheres.turn[static_cast<std::size_t>(sphere)]);
-  }
-  for (const std::size_t tile : side.tiles) write(to, by_tile[tile]);
-}
-
-void Border::read_motion(const Side& side, std::size_t coarsest, state::Spheres& spheres, std::span<SphereSpeeds> by_tile,
-                         const std::byte* from) const {
-  for (const Index sphere : std::span(side.spheres).first(side.kicked[coarsest])) {
-    put(read<MotionNumbers>(from), spheres, sphere);
-    if (with_turns_) spheres.turn[static_cast<std::size_t>(sphere)] = read<state::SphereTurn>(from);
-  }
-  for (const std::size_t tile : side.tiles) by_tile[tile] = read<SphereSpeeds>(from);
-}
-
-/// Exchanges the messages that hold something; both ends know which.
-void Border::exchange(Messages& sent, Messages& received) const {
-  Messages full_sent, full_received;
-  const auto is_full = [](const parallel::Message& message) { return !message.bytes.empty(); };
-  const auto move_full = [&](Messages& from, Messages& to) {
-    for (parallel::Message& message : from)
-      if (is_full(message)) to.push_back(std::move(message));
-  };
-  move_full(sent, full_sent);
-  move_full(received, full_received);
-  ranks_->exchange(full_sent, full_received, parallel::Topic::motion);
-  for (Messages* const list : {&full_sent, &full_received})
-    for (parallel::Message& message : *list)
-      (list == &full_sent ? sent : received)[static_cast<std::size_t>(message.rank)].bytes = std::move(message.bytes);
-}
-
-void Border::expect(const Messages& sent) {
-  for (const parallel::Message& message : sent) {
-    expected_.bytes += static_cast<std::int64_t>(message.bytes.size());
-    expected_.messages += message.bytes.empty() ? 0 : 1;
-  }
 }
 
 std::int64_t Border::shown() const {

@@ -7,11 +7,11 @@
 /// With several time levels each has its own ghosts. At a tick the loads of the levels that are due travel, and the motion of the
 /// spheres that were kicked: these stand before all others.
 
-#include <functional>
 #include <span>
 #include <vector>
 
 #include "sazare/methods/spheres/load_table.hpp"
+#include "sazare/methods/spheres/ranks/step_messages.hpp"
 #include "sazare/methods/spheres/ranks/tile_owners.hpp"
 #include "sazare/methods/spheres/stepper/motion.hpp"
 #include "sazare/parallel/ranks.hpp"
@@ -21,10 +21,10 @@ namespace sazare::methods::spheres {
 class Border {
 public:
   /// Force and moment of a ghost; place, velocity and spin of a sphere that is shown; its turn, where spheres have one.
-  static constexpr std::size_t bytes_of_load = 6 * sizeof(Real), bytes_of_motion = 9 * sizeof(Real),
+  static constexpr std::size_t bytes_of_load = sizeof(LoadNumbers), bytes_of_motion = 9 * sizeof(Real),
                                bytes_of_turn = 4 * sizeof(Real);
 
-  explicit Border(const parallel::Ranks& ranks) : ranks_(&ranks) {}
+  explicit Border(const parallel::Ranks& ranks) : ranks_(&ranks), messages_(ranks) {}
 
   /// The ghosts of own tiles are known, by tile; those of other ranks' tiles become the own spheres at which these look. All call
   /// it.
@@ -50,7 +50,7 @@ public:
   /// Own spheres at which other ranks look, each counted for each rank.
   std::int64_t shown() const;
   /// What `bring_loads` and `show_motion` had to send so far, by the lists of ghosts.
-  const parallel::Sent& expected() const { return expected_; }
+  const parallel::Sent& expected() const { return messages_.planned(); }
 
 private:
   /// What travels between this rank and another one; both have the same lists of it.
@@ -61,31 +61,21 @@ private:
     std::vector<std::size_t> kicked;        ///< by level: how many of them are kicked where it is the coarsest
     std::vector<std::size_t> tiles;         ///< in which these are; with one level alone
   };
-  using Messages = std::vector<parallel::Message>;
 
   void finish(std::vector<Side>& sides) const;
-  Messages messages(const std::vector<Side>& sides, const std::function<std::size_t(const Side&)>& bytes) const;
   std::size_t bytes_of_loads(const Side& side, std::size_t coarsest) const;
   std::size_t bytes_of_spheres(const Side& side, std::size_t coarsest) const;
-  void exchange(Messages& sent, Messages& received) const;
-  void expect(const Messages& sent);
-  void write_motion(const Side& side, std::size_t coarsest, const state::Spheres& spheres, std::span<const SphereSpeeds> by_tile,
-                    std::byte* to) const;
-  void read_motion(const Side& side, std::size_t coarsest, state::Spheres& spheres, std::span<SphereSpeeds> by_tile,
-                   const std::byte* from) const;
+  /// Plans an exchange of as many bytes as bytes(side) says.
+  template <class Bytes>
+  void plan(const std::vector<Side>& to, const std::vector<Side>& from, Bytes&& bytes);
 
   const parallel::Ranks* ranks_;
   std::vector<Level> levels_;
   bool with_turns_ = false;
   std::vector<Side> theirs_;  ///< by rank whose spheres are ghosts of own tiles
   std::vector<Side> ours_;    ///< by rank at whose tiles own spheres are ghosts
-  /// By coarsest level.
-  struct Round {
-    Messages sent_loads, received_loads, sent_motion, received_motion;
-  };
-  std::vector<Round> rounds_;
+  StepMessages messages_;
   Real seconds_ = 0;
-  parallel::Sent expected_;
 };
 
 }  // namespace sazare::methods::spheres

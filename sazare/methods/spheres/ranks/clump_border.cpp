@@ -1,8 +1,7 @@
 #include "sazare/methods/spheres/ranks/clump_border.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstring>
+#include <cstddef>
 #include <utility>
 
 #include "sazare/methods/spheres/stepper/clump_motion.hpp"
@@ -11,29 +10,11 @@ namespace sazare::methods::spheres {
 
 namespace {
 
-/// Force and moment.
-using LoadNumbers = std::array<Real, 6>;
-
 /// A clump on its way to another rank.
 struct Travelling {
   std::size_t clump = 0;
   state::Clump motion;
 };
-
-template <class Record>
-void write(std::vector<std::byte>& to, const Record& record) {
-  const std::size_t before = to.size();
-  to.resize(before + sizeof record);
-  std::memcpy(to.data() + before, &record, sizeof record);
-}
-
-template <class Record>
-Record read(const std::byte*& from) {
-  Record record;
-  std::memcpy(static_cast<void*>(&record), from, sizeof record);
-  from += sizeof record;
-  return record;
-}
 
 }  // namespace
 
@@ -41,7 +22,8 @@ void ClumpBorder::plan(const TileOwners& owners, const state::Clumps& clumps, Sc
   scene_ = std::move(scene);
   owner_.clear();
   first_place_.clear();
-  sides_.assign(static_cast<std::size_t>(ranks_->size()), {});
+  sides_.clear();
+  for (int rank = 0; rank < ranks_->size(); ++rank) sides_.push_back({rank, {}, {}, {}, {}});
   const auto place_of = [&](const state::ClumpMember& member) { return scene_.place[static_cast<std::size_t>(member.sphere)]; };
   const int own = ranks_->rank();
   for (std::size_t c = 0; c < clumps.clumps.size(); ++c) {
@@ -85,76 +67,52 @@ std::size_t ClumpBorder::bytes_of(const std::vector<std::size_t>& clumps, std::s
 }
 
 void ClumpBorder::bring_loads(std::size_t coarsest, WaterForces& water) {
-  std::vector<parallel::Message> sent, received;
-  for (std::size_t rank = 0; rank < sides_.size(); ++rank) {
-    const Side& side = sides_[rank];
-    parallel::Message message{static_cast<int>(rank), {}};
-    carry_loads(side.to_owner, coarsest, [&](std::size_t level, std::size_t place) {
-      const state::SphereLoad& load = scene_.loads[level]->of(place);
-      write(message.bytes, LoadNumbers{load.fx, load.fy, load.fz, load.mx, load.my, load.mz});
-    });
-    if (!water.empty())
-      for (const Member& member : side.to_owner) write(message.bytes, water.added_mass(member.number));
-    sent.push_back(std::move(message));
-    received.push_back({static_cast<int>(rank), std::vector<std::byte>(bytes_of(side.from_members, coarsest, !water.empty()))});
+  const bool with_water = !water.empty();
+  for (const Side& side : sides_) {
+    messages_.plan(side.rank, bytes_of(side.to_owner, coarsest, with_water), bytes_of(side.from_members, coarsest, with_water));
+    MessageWriter to = messages_.to(side.rank);
+    carry_loads(side.to_owner, coarsest,
+                [&](std::size_t level, std::size_t place) { to.write(numbers_of(scene_.loads[level]->of(place))); });
+    if (with_water)
+      for (const Member& member : side.to_owner) to.write(water.added_mass(member.number));
   }
-  exchange(std::move(sent), received);
-  for (const parallel::Message& message : received) {
-    const Side& side = sides_[static_cast<std::size_t>(message.rank)];
-    const std::byte* from = message.bytes.data();
+  messages_.exchange();
+  for (const Side& side : sides_) {
+    MessageReader from = messages_.from(side.rank);
     carry_loads(side.from_members, coarsest, [&](std::size_t level, std::size_t place) {
-      const auto numbers = read<LoadNumbers>(from);
-      scene_.loads[level]->kept(place / neighbors::tile_size)[place % neighbors::tile_size] = {
-          numbers[0], numbers[1], numbers[2], 0, numbers[3], numbers[4], numbers[5], 0};
+      scene_.loads[level]->kept(place / neighbors::tile_size)[place % neighbors::tile_size] = load_of(from.read<LoadNumbers>());
     });
-    if (!water.empty())
-      for (const Member& member : side.from_members) water.set_added_mass(member.number, read<Real>(from));
+    if (with_water)
+      for (const Member& member : side.from_members) water.set_added_mass(member.number, from.read<Real>());
   }
 }
 
 void ClumpBorder::show(state::Clumps& clumps, state::Spheres& spheres, std::size_t coarsest) {
-  std::vector<parallel::Message> sent, received;
-  for (std::size_t rank = 0; rank < sides_.size(); ++rank) {
-    parallel::Message message{static_cast<int>(rank), {}};
-    for (const std::size_t clump : sides_[rank].given)
-      if (is_kicked(first_place_[clump], coarsest)) write(message.bytes, Travelling{clump, clumps.clumps[clump]});
-    sent.push_back(std::move(message));
-    received.push_back({static_cast<int>(rank), std::vector<std::byte>(bytes_of(sides_[rank].taken, coarsest))});
+  for (const Side& side : sides_) {
+    messages_.plan(side.rank, bytes_of(side.given, coarsest), bytes_of(side.taken, coarsest));
+    MessageWriter to = messages_.to(side.rank);
+    for (const std::size_t clump : side.given)
+      if (is_kicked(first_place_[clump], coarsest)) to.write(Travelling{clump, clumps.clumps[clump]});
   }
-  exchange(std::move(sent), received);
-  for (const parallel::Message& message : received) {
-    const std::byte* from = message.bytes.data();
-    for (std::size_t n = 0; n < message.bytes.size() / sizeof(Travelling); ++n) {
-      const auto arrived = read<Travelling>(from);
+  messages_.exchange();
+  for (const Side& side : sides_)
+    for (MessageReader from = messages_.from(side.rank); !from.is_at_end();) {
+      const auto arrived = from.read<Travelling>();
       clumps.clumps[arrived.clump] = arrived.motion;
       place_members(arrived.motion, clumps.members_of(arrived.clump), scene_.place, spheres);
     }
-  }
 }
 
 void ClumpBorder::share(state::Clumps& clumps, parallel::To to, parallel::Topic topic) const {
-  std::vector<std::byte> own;
+  std::vector<Travelling> own;
   for (std::size_t c = 0; c < owner_.size(); ++c)
-    if (owns(c)) write(own, Travelling{c, clumps.clumps[c]});
-  const parallel::Gathered all = ranks_->gather(own, topic, to);
+    if (owns(c)) own.push_back({c, clumps.clumps[c]});
+  const parallel::Gathered all = ranks_->gather(std::as_bytes(std::span(own)), topic, to);
   if (to == parallel::To::first && !ranks_->is_first()) return;
-  const std::byte* from = all.bytes.data();
-  for (std::size_t n = 0; n < all.bytes.size() / sizeof(Travelling); ++n) {
-    const auto arrived = read<Travelling>(from);
+  for (MessageReader from(all.bytes); !from.is_at_end();) {
+    const auto arrived = from.read<Travelling>();
     clumps.clumps[arrived.clump] = arrived.motion;
   }
-}
-
-/// Exchanges the messages that hold something; both ends know which.
-void ClumpBorder::exchange(std::vector<parallel::Message> sent, std::vector<parallel::Message>& received) {
-  const auto is_empty = [](const parallel::Message& message) { return message.bytes.empty(); };
-  std::erase_if(sent, is_empty);
-  std::erase_if(received, is_empty);
-  for (const parallel::Message& message : sent) {
-    expected_.bytes += static_cast<std::int64_t>(message.bytes.size());
-    ++expected_.messages;
-  }
-  ranks_->exchange(sent, received, parallel::Topic::motion);
 }
 
 }  // namespace sazare::methods::spheres

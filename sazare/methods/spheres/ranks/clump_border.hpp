@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sazare/methods/spheres/load_table.hpp"
+#include "sazare/methods/spheres/ranks/step_messages.hpp"
 #include "sazare/methods/spheres/ranks/tile_owners.hpp"
 #include "sazare/methods/spheres/water_forces.hpp"
 #include "sazare/parallel/ranks.hpp"
@@ -17,7 +18,7 @@ namespace sazare::methods::spheres {
 
 class ClumpBorder {
 public:
-  explicit ClumpBorder(const parallel::Ranks& ranks) : ranks_(&ranks) {}
+  explicit ClumpBorder(const parallel::Ranks& ranks) : ranks_(&ranks), messages_(ranks) {}
 
   /// How spheres and clumps stand: places by number of the sphere, loads by time level, and how many spheres have each active
   /// level or a finer one.
@@ -46,7 +47,7 @@ public:
   }
 
   /// What `bring_loads` and `show` had to send so far.
-  const parallel::Sent& expected() const { return expected_; }
+  const parallel::Sent& expected() const { return messages_.planned(); }
 
 private:
   /// A sphere of a clump.
@@ -55,6 +56,7 @@ private:
   };
   /// What travels between this rank and another one; both have the same lists of it.
   struct Side {
+    int rank = 0;
     std::vector<Member> to_owner, from_members;  ///< own spheres of its clumps, and its spheres of own clumps
     std::vector<std::size_t> taken, given;       ///< its clumps that have own spheres, and own clumps that have its spheres
   };
@@ -64,14 +66,13 @@ private:
   std::size_t bytes_of(const std::vector<std::size_t>& clumps, std::size_t coarsest) const;
   template <class Carry>
   void carry_loads(const std::vector<Member>& members, std::size_t coarsest, Carry&& carry) const;
-  void exchange(std::vector<parallel::Message> sent, std::vector<parallel::Message>& received);
 
   const parallel::Ranks* ranks_;
   Scene scene_;
   std::vector<int> owner_;          ///< by clump
   std::vector<Index> first_place_;  ///< by clump: of its first sphere
   std::vector<Side> sides_;         ///< by rank
-  parallel::Sent expected_;
+  StepMessages messages_;
 };
 
 }  // namespace sazare::methods::spheres
