@@ -1,5 +1,6 @@
 """Runs the program on the small block. SAZARE_PROGRAM names the program; without it the one of build/release is tested."""
 
+import csv
 import json
 import os
 import signal
@@ -93,3 +94,25 @@ def manifest(folder):
 def rows_without_wall_time(table):
     """The lines of history.csv without their last column."""
     return [line.rpartition(",")[0] for line in table.read_text().splitlines()]
+
+
+def assert_same_results(one, many):
+    """The same bits in the state and in every table and snapshot, whoever worked for which part and however often it was stopped."""
+    first, second = manifest(one), manifest(many)
+    assert first["status"] == second["status"] == "done"
+    assert first["state_hash"] == second["state_hash"]
+    first["results"].pop("wall_seconds")
+    second["results"].pop("wall_seconds")
+    assert first["results"] == second["results"]
+    assert rows_without_wall_time(one / "history.csv") == rows_without_wall_time(many / "history.csv")
+    tables = {"gauges.csv", "gauge_peaks.csv", "fragments.csv", "walls.csv"} & {path.name for path in one.iterdir()}
+    snapshots = [path.relative_to(one) for path in (one / "snapshots").glob("*.vtkhdf")]
+    assert snapshots
+    for name in (*sorted(tables), *snapshots):
+        assert (one / name).read_bytes() == (many / name).read_bytes(), name
+
+
+def rank_rows(folder):
+    """The rows of ranks.csv, with numbers by the names of their columns without units."""
+    with open(folder / "ranks.csv", newline="") as stream:
+        return [{title.split(" ")[0]: float(text) for title, text in row.items()} for row in csv.DictReader(stream)]

@@ -1,6 +1,5 @@
 """Many processes on one run give the bits of one process, whatever they do with the work, and however they end. For a build with MPI."""
 
-import csv
 import os
 import signal
 import subprocess
@@ -14,8 +13,10 @@ from conftest import (
     PROGRAM,
     USER_ERROR,
     Sazare,
+    assert_same_results,
     kill_one,
     manifest,
+    rank_rows,
     rows_without_wall_time,
     settling_block,
     wait_for,
@@ -52,22 +53,9 @@ def long_alone(tmp_path_factory):
     return run_alone(tmp_path_factory.mktemp("long_alone") / "run", *LONG)
 
 
-def assert_same_results(one, many):
-    first, second = manifest(one), manifest(many)
-    assert first["status"] == second["status"] == "done"
-    assert first["state_hash"] == second["state_hash"]
-    first["results"].pop("wall_seconds")
-    second["results"].pop("wall_seconds")
-    assert first["results"] == second["results"]
-    assert rows_without_wall_time(one / "history.csv") == rows_without_wall_time(many / "history.csv")
-    for name in ("gauges.csv", "gauge_peaks.csv", "fragments.csv"):
-        assert (one / name).read_bytes() == (many / name).read_bytes()
-
-
-def rank_rows(folder):
-    """The rows of ranks.csv, by rank, with numbers by the names of their columns without units."""
-    with open(folder / "ranks.csv", newline="") as stream:
-        rows = [{title.split(" ")[0]: float(text) for title, text in row.items()} for row in csv.DictReader(stream)]
+def by_rank_of(folder):
+    """The rows of ranks.csv, by rank."""
+    rows = rank_rows(folder)
     ranks = int(max(row["rank"] for row in rows)) + 1
     return [[row for row in rows if row["rank"] == rank] for rank in range(ranks)]
 
@@ -124,6 +112,34 @@ def test_the_equilibrium_before_a_run_is_the_same_on_ranks(sazare, tmp_path, ran
     assert alone.returncode == DONE, alone.stderr
     assert manifest(tmp_path / "alone")["results"]["settlement"] > 0
     many = sazare.on_ranks(ranks, "run", case, "--out", tmp_path / "many", "--threads", 1, *sharing)
+    assert many.returncode == DONE, many.stderr
+    assert_same_results(tmp_path / "alone", tmp_path / "many")
+
+
+def natural_block(folder):
+    """The elastic block, whose joints are rough walls that lie against each other."""
+    lines = elastic_block(folder).read_text(encoding="utf-8").split("\n")
+    strengths = ("cohesion", "tensile_strength", "fracture_energy")
+    lines = [line for line in lines if not line.startswith(strengths)]
+    natural = ['law = "barton_bandis"', "jrc = 9.0", "jcs = 80e6", "residual_friction_angle = 28.0", "joint_aperture = 4e-4"]
+    where = lines.index('between = ["rock", "rock"]') + 1
+    case = folder / "natural.toml"
+    case.write_text("\n".join(lines[:where] + natural + lines[where:]), encoding="utf-8")
+    return case
+
+
+def test_natural_joints_have_the_same_bits_on_ranks_and_after_a_stop(sazare, tmp_path):
+    case = natural_block(tmp_path)
+    options = ("--threads", 1, "--set", "time.end=1.2e-3", "--set", OFTEN)
+    alone = sazare("run", case, "--out", tmp_path / "alone", *options)
+    assert alone.returncode == DONE, alone.stderr
+    assert manifest(tmp_path / "alone")["results"]["energy_slip"] > 0
+    sharing = ("--balance", "random", "--balance-interval", 6)
+    begun = sazare.start_on(3, "run", case, "--out", tmp_path / "many", *options, *sharing)
+    wait_for(tmp_path / "many/checkpoint/state.h5")
+    kill_one(begun)
+    begun.communicate(timeout=60)
+    many = sazare.on_ranks(2, "run", case, "--out", tmp_path / "many", *options, *sharing, "--resume")
     assert many.returncode == DONE, many.stderr
     assert_same_results(tmp_path / "alone", tmp_path / "many")
 
@@ -224,7 +240,7 @@ def test_joints_that_slip_far_before_they_break(sazare, tmp_path):
 
 def test_what_each_rank_did_is_written(sazare, tmp_path):
     sazare.on_ranks(3, *block_run(sazare, tmp_path / "run", "--balance-interval", 10))
-    by_rank = rank_rows(tmp_path / "run")
+    by_rank = by_rank_of(tmp_path / "run")
     assert len(by_rank) == 3
     for own in by_rank:
         for column in ("time", "processor_time", "exchange_time", "bytes_sent", "messages_sent"):
@@ -251,7 +267,7 @@ def test_what_borders_send_is_what_levels_and_owners_foretell(sazare, tmp_path, 
     done = sazare.on_ranks(5, *block_run(sazare, tmp_path / "run", "--balance", policy, "--balance-interval", 4, *sets))
     assert done.returncode == DONE, done.stderr
     assert manifest(tmp_path / "run")["results"]["broken_joints"] == 0
-    by_rank = rank_rows(tmp_path / "run")
+    by_rank = by_rank_of(tmp_path / "run")
     assert sum(own[-1]["motion_bytes"] for own in by_rank) > 0
     for own in by_rank:
         assert len(own) > 3
@@ -271,7 +287,7 @@ def test_check_foretells_the_lock_step_of_ranks(sazare, tmp_path, policy):
     done = sazare.on_ranks(4, *block_run(sazare, tmp_path / "run", "--balance", policy, "--balance-interval", 10, *sets))
     assert done.returncode == DONE, done.stderr
     assert 0.5 < foretold < 1
-    assert rank_rows(tmp_path / "run")[0][0]["lock_step"] == pytest.approx(foretold, abs=0.0051)
+    assert by_rank_of(tmp_path / "run")[0][0]["lock_step"] == pytest.approx(foretold, abs=0.0051)
 
 
 def test_check_of_a_method_in_one_process_refuses_ranks(sazare):

@@ -1,11 +1,10 @@
 """Spheres that several processes share move as those of one process, to the last bit, whoever works for which of them. For a build with MPI."""
 
-import csv
 import signal
 import time
 
 import pytest
-from conftest import DONE, PHYSICS_FAILED, ROOT, kill_one, manifest, rows_without_wall_time, wait_for
+from conftest import DONE, PHYSICS_FAILED, ROOT, assert_same_results, kill_one, manifest, rank_rows, wait_for
 
 SETTLED_BED = ROOT / "cases/penetration-25k/case.toml"
 DRUM = ROOT / "cases/rotating-drum/case.toml"
@@ -214,25 +213,6 @@ def alone(scenes, tmp_path_factory):
         return folders[name]
 
     return run
-
-
-def assert_same_results(one, many):
-    first, second = manifest(one), manifest(many)
-    assert first["status"] == second["status"] == "done"
-    assert first["state_hash"] == second["state_hash"]
-    first["results"].pop("wall_seconds")
-    second["results"].pop("wall_seconds")
-    assert first["results"] == second["results"]
-    assert rows_without_wall_time(one / "history.csv") == rows_without_wall_time(many / "history.csv")
-    for name in ("gauges.csv", "walls.csv"):
-        assert (one / name).read_bytes() == (many / name).read_bytes()
-    for snapshot in (one / "snapshots").glob("*.vtkhdf"):
-        assert snapshot.read_bytes() == (many / "snapshots" / snapshot.name).read_bytes()
-
-
-def rank_rows(folder):
-    with open(folder / "ranks.csv", newline="") as stream:
-        return [{title.split(" ")[0]: float(text) for title, text in row.items()} for row in csv.DictReader(stream)]
 
 
 @pytest.mark.parametrize(
