@@ -85,7 +85,7 @@ public:
   }
 
   SpherePairs run() {
-    const std::size_t tiles = (spheres_.size() + tile_size - 1) / tile_size;
+    const std::size_t tiles = tiles_of(spheres_.size());
     std::vector<Tile> found(tiles);
     parallel::parallel_for_uneven(tiles, 2, [&](std::size_t begin, std::size_t end) {
       std::vector<Around> around(cells_.size());

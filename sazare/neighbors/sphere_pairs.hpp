@@ -13,6 +13,8 @@ namespace sazare::neighbors {
 
 /// Spheres are worked on by tiles of so many, whatever the number of threads.
 inline constexpr std::size_t tile_size = 1024;
+/// How many tiles so many spheres fill, the last one in part.
+inline constexpr std::size_t tiles_of(std::size_t spheres) { return (spheres + tile_size - 1) / tile_size; }
 
 /// Pairs by their first sphere: those of sphere i are other[first[i]] .. other[first[i + 1] - 1], all beyond i.
 struct SpherePairs {

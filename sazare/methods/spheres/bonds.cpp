@@ -99,7 +99,7 @@ void Bonds::arrange(std::span<const Index> place, const Levels& levels) {
     }
     placed[std::max(level_of(bond.first), level_of(bond.second))].push_back({i, j, static_cast<Index>(n)});
   }
-  const std::size_t tiles = (place.size() + neighbors::tile_size - 1) / neighbors::tile_size;
+  const std::size_t tiles = neighbors::tiles_of(place.size());
   levels_.resize(levels.count);
   for (std::size_t level = 0; level < levels.count; ++level) {
     std::ranges::sort(placed[level], {}, [](const BondLinks::Placed& one) {

@@ -22,7 +22,7 @@ void collect_ghosts(std::span<const Index> seconds, Index last, std::vector<Inde
 
 void LoadTable::arrange(const neighbors::SpherePairs& pairs, const TileLinks& bonds, const OfRanks& ranks) {
   spheres_ = pairs.first.size() - 1;
-  tiles_ = (spheres_ + neighbors::tile_size - 1) / neighbors::tile_size;
+  tiles_ = neighbors::tiles_of(spheres_);
   forget();
   std::vector<std::vector<Index>> ghosts(tiles_);
   const auto is_here = [&](std::size_t tile) { return ranks.is_own.empty() || ranks.is_own[tile] != 0; };

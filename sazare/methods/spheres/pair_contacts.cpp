@@ -104,7 +104,7 @@ void PairContacts::find_first_spheres() {
 /// The contacts of each tile, by pair.
 void PairContacts::go_on(const Touches& touches) {
   const std::size_t spheres = pairs_.first.size() - 1;
-  contacts_.resize((spheres + neighbors::tile_size - 1) / neighbors::tile_size);
+  contacts_.resize(neighbors::tiles_of(spheres));
   std::vector<Index> touch_of(pairs_.other.size(), -1);
   parallel::parallel_for(touches.pairs.size(), 10000, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n)

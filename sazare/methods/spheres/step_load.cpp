@@ -74,7 +74,7 @@ private:
   /// Calls a function for both bodies of a contact that move.
   template <class Visit>
   void for_both(const ContactPoint& at, Visit&& visit) const {
-    const bool moves = !is_held(at.first), other_moves = !at.wall_material && !is_held(at.second);
+    const bool moves = !is_held(at.first), other_moves = !at.is_at_wall() && !is_held(at.second);
     const Real times = moves && other_moves ? 2 : 1;
     if (moves) visit(at.first, at.normal, times);
     if (other_moves) visit(at.second, -at.normal, times);
@@ -102,11 +102,11 @@ private:
     const state::Spheres& spheres = bodies_.spheres;
     const auto material = [&](std::size_t sphere) { return static_cast<Index>(spheres.spin[sphere].material); };
     const auto &one = spheres.place[at.first], &other = spheres.place[at.second];
-    const bool is_wall = at.wall_material.has_value();
+    const bool is_wall = at.is_at_wall();
     using laws::Reduced;
     const auto radius = is_wall ? Reduced<Real>::alone(one.radius) : Reduced<Real>::of(one.radius, other.radius),
                mass = is_wall ? Reduced<Real>::alone(one.mass) : Reduced<Real>::of(one.mass, other.mass);
-    const auto& constants = table_.of(material(at.first), at.wall_material ? *at.wall_material : material(at.second));
+    const auto& constants = table_.of(material(at.first), is_wall ? at.wall_material : material(at.second));
     return laws::visit_law(table_.model, [&]<class Law>(Law) {
       const Real width = Law::width(constants, at.overlap, radius);
       const auto damping = laws::dashpots(constants, width, std::sqrt(width * mass.value()), at.step);

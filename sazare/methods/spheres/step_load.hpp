@@ -13,7 +13,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -26,10 +25,13 @@ namespace sazare::methods::spheres {
 /// A contact of two spheres, or of one and a wall.
 struct ContactPoint {
   std::size_t first = 0, second = 0;  ///< places of the spheres; the second is not read at a wall
-  std::optional<Index> wall_material;
+  Index wall_material = no_wall;
   Vector3 normal = Vector3::Zero();  ///< from the first to the second, or to the wall
   Real overlap = 0;                  ///< [m]
   Real step = 0;                     ///< [s]
+
+  static constexpr Index no_wall = -1;
+  bool is_at_wall() const { return wall_material != no_wall; }
 };
 /// Calls a function for every contact, in an order that does not depend on threads.
 using ContactVisit = std::function<void(const std::function<void(const ContactPoint&)>&)>;

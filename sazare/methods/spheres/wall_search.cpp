@@ -107,7 +107,7 @@ void WallContacts::find(const state::Spheres& spheres, Real time, Real margin, s
   std::vector<std::size_t> order(before.touches.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   if (!place.empty()) std::ranges::stable_sort(order, {}, [&](std::size_t n) { return before.touches[n].sphere; });
-  const std::size_t tile_count = (spheres.size() + neighbors::tile_size - 1) / neighbors::tile_size;
+  const std::size_t tile_count = neighbors::tiles_of(spheres.size());
   Tile empty;
   empty.planes.resize(walls_.size());
   empty.loads.resize(walls_.size());

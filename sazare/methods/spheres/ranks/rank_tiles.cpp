@@ -22,7 +22,7 @@ std::vector<int> owners_of(const std::vector<std::size_t>& cuts) {
 
 /// Packs the records of some places, or unpacks them to there.
 template <class T>
-void carry(Parcel& parcel, std::vector<T>& records, std::size_t begin, std::size_t end) {
+void carry_places(Parcel& parcel, std::vector<T>& records, std::size_t begin, std::size_t end) {
   const auto first = records.begin() + static_cast<std::ptrdiff_t>(begin),
              last = records.begin() + static_cast<std::ptrdiff_t>(end);
   std::vector<T> some(first, last);
@@ -34,7 +34,7 @@ void carry(Parcel& parcel, std::vector<T>& records, std::size_t begin, std::size
 
 RankTiles::RankTiles(const parallel::Ranks& ranks, Division division, std::size_t spheres)
     : ranks_(&ranks), division_(division), spheres_(spheres), owners_(ranks.rank()), border_(ranks) {
-  const std::size_t tiles = (spheres + neighbors::tile_size - 1) / neighbors::tile_size;
+  const std::size_t tiles = neighbors::tiles_of(spheres);
   cuts_ = even_cuts(tiles, static_cast<std::size_t>(ranks.size()));
   owners_.take(owners_of(cuts_));
 }
@@ -54,7 +54,7 @@ std::vector<int> RankTiles::random_owners() const {
 std::vector<int> owners_by_level(std::span<const std::size_t> spheres, int ranks) {
   std::vector<int> owner;
   for (std::size_t level = spheres.size(); level-- > 0;) {
-    const std::size_t end = (spheres[level] + neighbors::tile_size - 1) / neighbors::tile_size;
+    const std::size_t end = neighbors::tiles_of(spheres[level]);
     const std::vector<int> more = owners_of(even_cuts(end - owner.size(), static_cast<std::size_t>(ranks)));
     owner.insert(owner.end(), more.begin(), more.end());
   }
@@ -81,10 +81,10 @@ bool RankTiles::any(bool own) const { return std::ranges::max(from_all(std::uint
 void RankTiles::share(state::Spheres& spheres, parallel::To to, parallel::Topic topic) const {
   const auto carry_tile = [&](Parcel& parcel, std::size_t tile) {
     const std::size_t begin = tile * neighbors::tile_size, end = end_of(tile);
-    carry(parcel, spheres.place, begin, end);
-    carry(parcel, spheres.spin, begin, end);
-    carry(parcel, spheres.kick, begin, end);
-    if (!spheres.turn.empty()) carry(parcel, spheres.turn, begin, end);
+    carry_places(parcel, spheres.place, begin, end);
+    carry_places(parcel, spheres.spin, begin, end);
+    carry_places(parcel, spheres.kick, begin, end);
+    if (!spheres.turn.empty()) carry_places(parcel, spheres.turn, begin, end);
   };
   Parcel own;
   for (const std::size_t tile : owners_.own()) carry_tile(own, tile);
@@ -96,8 +96,10 @@ void RankTiles::share(state::Spheres& spheres, parallel::To to, parallel::Topic 
     if (!owners_.owns(tile)) carry_tile(arrived[static_cast<std::size_t>(owners_.owner(tile))], tile);
 }
 
-void RankTiles::visit_own(const std::function<void(std::size_t begin, std::size_t end)>& visit) const {
-  for (const std::size_t tile : owners_.own()) visit(tile * neighbors::tile_size, end_of(tile));
+std::size_t RankTiles::own_spheres() const {
+  std::size_t own = 0;
+  for (const std::size_t tile : owners_.own()) own += end_of(tile) - tile * neighbors::tile_size;
+  return own;
 }
 
 }  // namespace sazare::methods::spheres

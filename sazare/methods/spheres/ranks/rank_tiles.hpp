@@ -30,6 +30,15 @@ enum class Division {
 /// `RankTiles::divide`.
 std::vector<int> owners_by_level(std::span<const std::size_t> spheres, int ranks);
 
+/// Packs or unpacks a record by its own `carry`, or as it is where it has none.
+template <class Record>
+void carry(Parcel& parcel, Record& record) {
+  if constexpr (requires { record.carry(parcel); })
+    record.carry(parcel);
+  else
+    parcel(record);
+}
+
 class RankTiles {
 public:
   RankTiles(const parallel::Ranks& ranks, Division division, std::size_t spheres);
@@ -88,14 +97,14 @@ public:
     std::vector<std::vector<std::byte>> bytes;
     for (Records& records : to_each) {
       Parcel parcel;
-      records.carry(parcel);
+      carry(parcel, records);
       bytes.emplace_back(parcel.packed().begin(), parcel.packed().end());
     }
     std::vector<Records> arrived(to_each.size());
     const auto given = parallel::give(*ranks_, std::move(bytes), parallel::Topic::search);
     for (std::size_t rank = 0; rank < given.size(); ++rank) {
       Parcel parcel(given[rank]);
-      arrived[rank].carry(parcel);
+      carry(parcel, arrived[rank]);
     }
     return arrived;
   }
@@ -107,19 +116,20 @@ public:
     for (const std::size_t tile : owners_.own()) {
       if (tile >= tiles) break;
       Record record = of_tile(tile);
-      record.carry(own);
+      carry(own, record);
     }
     const parallel::Gathered all = ranks_->gather(own.packed(), parallel::Topic::state, parallel::To::first);
-    std::vector<Record> by_tile(ranks_->is_first() ? tiles : 0);
+    if (!ranks_->is_first()) return {};
+    std::vector<Record> by_tile(tiles);
     std::vector<Parcel> arrived;
     for (int rank = 0; rank < ranks_->size(); ++rank) arrived.emplace_back(all.of(rank));
     for (std::size_t tile = 0; tile < by_tile.size(); ++tile)
-      by_tile[tile].carry(arrived[static_cast<std::size_t>(owners_.owner(tile))]);
+      carry(arrived[static_cast<std::size_t>(owners_.owner(tile))], by_tile[tile]);
     return by_tile;
   }
 
-  /// Calls visit(begin, end) with the places of the spheres of each own tile.
-  void visit_own(const std::function<void(std::size_t begin, std::size_t end)>& visit) const;
+  /// How many spheres stand in own tiles.
+  std::size_t own_spheres() const;
 
 private:
   std::vector<int> next_owners(std::span<const std::size_t> spheres);

@@ -32,7 +32,7 @@ std::vector<SphereRankWork> gather_rank_work(const SpheresModel& model) {
   SphereRankWork own;
   own.rank = ranks->ranks().rank();
   own.seconds = ranks->seconds();
-  ranks->visit_own([&](std::size_t begin, std::size_t end) { own.spheres += static_cast<std::int64_t>(end - begin); });
+  own.spheres = static_cast<std::int64_t>(ranks->own_spheres());
   own.shown = ranks->border().shown();
   own.traffic = ranks->ranks().traffic();
   own.expected_motion = model.stepper->expected_to_send();

@@ -259,29 +259,16 @@ void SphereLevels::keep_own() {
   if (!ranks_->ranks().is_first()) counts_.evaluations = counts_.uniform_evaluations = 0;
 }
 
-namespace {
-
-/// The loads of a tile, none where they are not kept.
-struct TileLoads {
-  std::vector<state::SphereLoad> loads;
-
-  template <class Parcel>
-  void carry(Parcel& parcel) {
-    parcel(loads);
-  }
-};
-
-}  // namespace
-
 void SphereLevels::collect_loads() {
+  using Loads = std::vector<state::SphereLoad>;
   for (Level& level : levels_) {
-    const auto by_tile = ranks_->collect<TileLoads>(level.loads.tiles(), [&](std::size_t tile) -> TileLoads {
+    const auto by_tile = ranks_->collect<Loads>(level.loads.tiles(), [&](std::size_t tile) -> Loads {
       if (!level.loads.keeps(tile)) return {};
       const auto kept = level.loads.kept(tile);
-      return {{kept.begin(), kept.end()}};
+      return {kept.begin(), kept.end()};
     });
     for (std::size_t tile = 0; tile < by_tile.size(); ++tile)
-      if (!by_tile[tile].loads.empty()) std::ranges::copy(by_tile[tile].loads, level.loads.kept(tile).begin());
+      if (!by_tile[tile].empty()) std::ranges::copy(by_tile[tile], level.loads.kept(tile).begin());
   }
 }
 

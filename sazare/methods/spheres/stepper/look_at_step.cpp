@@ -12,33 +12,7 @@ namespace {
 /// A contact on a body of another rank.
 struct BorderContact {
   std::size_t level = 0, tile = 0;
-  Index first = 0, second = 0, wall_material = -1;  ///< no wall below 0
-  Vector3 normal = Vector3::Zero();
-  Real overlap = 0, step = 0;
-
-  BorderContact() = default;
-  BorderContact(std::size_t of_level, std::size_t of_tile, const ContactPoint& at)
-      : level(of_level),
-        tile(of_tile),
-        first(static_cast<Index>(at.first)),
-        second(static_cast<Index>(at.second)),
-        wall_material(at.wall_material.value_or(-1)),
-        normal(at.normal),
-        overlap(at.overlap),
-        step(at.step) {}
-
-  ContactPoint point() const {
-    const std::optional<Index> wall = wall_material < 0 ? std::nullopt : std::optional(wall_material);
-    return {static_cast<std::size_t>(first), static_cast<std::size_t>(second), wall, normal, overlap, step};
-  }
-};
-struct BorderContacts {
-  std::vector<BorderContact> list;
-
-  template <class Parcel>
-  void carry(Parcel& parcel) {
-    parcel(list);
-  }
+  ContactPoint at;
 };
 
 }  // namespace
@@ -59,7 +33,7 @@ void SphereStepper::look_at_step() {
 /// All ranks call it.
 SphereStepper::OthersContacts SphereStepper::contacts_of_others() const {
   if (ranks_ == nullptr) return {};
-  std::vector<BorderContacts> to_each(static_cast<std::size_t>(ranks_->ranks().size()));
+  std::vector<std::vector<BorderContact>> to_each(static_cast<std::size_t>(ranks_->ranks().size()));
   OthersContacts of_others{ContactsByTile(levels_.count()), ContactsByTile(levels_.count())};
   for (std::size_t level = 0; level < levels_.count(); ++level) {
     const std::size_t tiles = ranks_->owners().tiles();
@@ -67,17 +41,17 @@ SphereStepper::OthersContacts SphereStepper::contacts_of_others() const {
     of_others.walls[level].resize(tiles);
     const auto send = [&](std::size_t tile, const ContactPoint& at) {
       const int own = ranks_->ranks().rank(), first = owner_of_body(at.first), second = owner_of_body(at.second);
-      if (first != own) to_each[static_cast<std::size_t>(first)].list.emplace_back(level, tile, at);
-      if (second != own && second != first) to_each[static_cast<std::size_t>(second)].list.emplace_back(level, tile, at);
+      if (first != own) to_each[static_cast<std::size_t>(first)].push_back({level, tile, at});
+      if (second != own && second != first) to_each[static_cast<std::size_t>(second)].push_back({level, tile, at});
     };
     for (const std::size_t tile : ranks_->owners().own()) {
       visit_contacts_of(tile, level, [&](const ContactPoint& at) { send(tile, at); });
       visit_wall_contacts_of(tile, level, [&](const ContactPoint& at) { send(tile, at); });
     }
   }
-  for (const BorderContacts& arrived : ranks_->hand_on(std::move(to_each)))
-    for (const BorderContact& contact : arrived.list)
-      (contact.wall_material < 0 ? of_others.pairs : of_others.walls)[contact.level][contact.tile].push_back(contact.point());
+  for (const std::vector<BorderContact>& arrived : ranks_->hand_on(std::move(to_each)))
+    for (const BorderContact& contact : arrived)
+      (contact.at.is_at_wall() ? of_others.walls : of_others.pairs)[contact.level][contact.tile].push_back(contact.at);
   return of_others;
 }
 
@@ -91,7 +65,7 @@ void SphereStepper::visit_contacts_of(std::size_t tile, std::size_t level, const
     const auto &a = spheres_.place[first], &b = spheres_.place[second];
     const Vector3 apart = spheres_.box.nearest(b.centre() - a.centre());
     const Real distance = apart.norm(), overlap = a.radius + b.radius - distance - initial_overlap;
-    if (overlap > 0) visit(ContactPoint{first, second, {}, apart / distance, overlap, step});
+    if (overlap > 0) visit(ContactPoint{first, second, ContactPoint::no_wall, apart / distance, overlap, step});
   });
 }
 
@@ -107,7 +81,7 @@ void SphereStepper::visit_wall_contacts_of(std::size_t tile, std::size_t level, 
 
 /// All contacts that push. Those of other ranks' tiles stand where one process would find them.
 void SphereStepper::visit_contacts(const OthersContacts& of_others, const std::function<void(const ContactPoint&)>& visit) const {
-  const std::size_t tiles = (spheres_.size() + neighbors::tile_size - 1) / neighbors::tile_size;
+  const std::size_t tiles = neighbors::tiles_of(spheres_.size());
   for (std::size_t level = 0; level < levels_.count(); ++level) {
     for (std::size_t tile = 0; tile < tiles; ++tile) {
       visit_contacts_of(tile, level, visit);

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "sazare/methods/spheres/stepper/stepper.hpp"
-#include "sazare/parallel/sum_over_ranges.hpp"
 
 namespace sazare::methods::spheres {
 
@@ -117,19 +116,13 @@ void SphereStepper::add_unrest_of_clump(std::size_t clump, UnrestSums& sums) con
 Real SphereStepper::unrest() {
   constexpr Real lifted_by = 1e-6, of_gravity = 1e-2;
   evaluate_now();
-  UnrestSums all;
+  auto all = sum_own<UnrestSums>([this](std::size_t i, UnrestSums& part) { add_unrest(i, part); });
   MotionEnergies motion = motion_energies();
   for (std::size_t c = 0; c < clumps_.clumps.size(); ++c)
     if (owns_clump(c)) add_unrest_of_clump(c, all);
   if (ranks_ != nullptr) {
-    visit_own([&](std::size_t i) { add_unrest(i, all); });
     all = ranks_->sum(all);
     motion = ranks_->sum(motion);
-  } else {
-    parallel::sum_over_ranges(spheres_.size(), neighbors::tile_size, all,
-                              [&](std::size_t begin, std::size_t end, UnrestSums& part) {
-                                for (std::size_t i = begin; i < end; ++i) add_unrest(i, part);
-                              });
   }
   const Real mass = all.mass.value(), radius = all.radius.value() / static_cast<Real>(spheres_.size());
   const Real gravity = rules_.gravity.norm();

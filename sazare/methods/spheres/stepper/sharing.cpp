@@ -21,16 +21,6 @@ struct RowPart {
   MotionEnergies motion;
 };
 
-/// A number of a tile.
-struct TileNumber {
-  Real value = 0;
-
-  template <class Parcel>
-  void carry(Parcel& parcel) {
-    parcel(value);
-  }
-};
-
 }  // namespace
 
 void SphereStepper::share(const parallel::Ranks& ranks, Division division) {
@@ -144,9 +134,8 @@ void SphereStepper::collect() {
   levels_.take_counts(surveyed_counts_);
   walls_.collect(*ranks_);
   bonds_.collect(ranks_.get());
-  const auto approach =
-      ranks_->collect<TileNumber>(tile_approach_.size(), [&](std::size_t tile) -> TileNumber { return {tile_approach_[tile]}; });
-  for (std::size_t tile = 0; tile < approach.size(); ++tile) tile_approach_[tile] = approach[tile].value;
+  auto approach = ranks_->collect<Real>(tile_approach_.size(), [&](std::size_t tile) { return tile_approach_[tile]; });
+  if (ranks_->ranks().is_first()) tile_approach_ = std::move(approach);
   const auto works = ranks_->to_first(works_, parallel::Topic::state);
   collected_works_ = WorkSums{};
   for (const WorkSums& part : works) *collected_works_ += part;

@@ -8,6 +8,7 @@
 /// Where spheres have time levels, a step is a base step, in which each takes as many steps as its level asks for. Where all
 /// take one step, and no clump waits for the forces on all its spheres, tiles are evaluated and kicked in one walk.
 
+#include <algorithm>
 #include <atomic>
 #include <functional>
 #include <memory>
@@ -26,6 +27,7 @@
 #include "sazare/methods/spheres/stepper/work_sums.hpp"
 #include "sazare/methods/spheres/wall_contacts.hpp"
 #include "sazare/parallel/progress.hpp"
+#include "sazare/parallel/sum_over_ranges.hpp"
 #include "sazare/parallel/threads.hpp"
 #include "sazare/state/clumps.hpp"
 
@@ -205,15 +207,28 @@ private:
   void measure_tiles(std::span<const SphereSpeeds> by_tile);
   Real wall_approach_in(Real seconds, const SphereSpeeds& speeds) const;
 
+  std::size_t own_tiles() const {
+    return ranks_ == nullptr ? neighbors::tiles_of(spheres_.size()) : ranks_->owners().own().size();
+  }
+  std::size_t own_tile(std::size_t n) const { return ranks_ == nullptr ? n : ranks_->owners().own()[n]; }
   /// Calls visit(place) for the spheres for which this process works.
   template <class Visit>
   void visit_own(Visit&& visit) const {
-    if (ranks_ == nullptr)
-      for (std::size_t i = 0; i < spheres_.size(); ++i) visit(i);
-    else
-      ranks_->visit_own([&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) visit(i);
-      });
+    for (std::size_t n = 0; n < own_tiles(); ++n) visit_tile(own_tile(n), visit);
+  }
+  template <class Visit>
+  void visit_tile(std::size_t tile, Visit&& visit) const {
+    const std::size_t end = std::min((tile + 1) * neighbors::tile_size, spheres_.size());
+    for (std::size_t i = tile * neighbors::tile_size; i < end; ++i) visit(i);
+  }
+  /// What add(place, sums) adds up without rounding over these spheres, on several threads.
+  template <class Sums, class Add>
+  Sums sum_own(Add&& add) const {
+    Sums sums;
+    parallel::sum_over_ranges(own_tiles(), 2, sums, [&](std::size_t begin, std::size_t end, Sums& part) {
+      for (std::size_t n = begin; n < end; ++n) visit_tile(own_tile(n), [&](std::size_t i) { add(i, part); });
+    });
+    return sums;
   }
   /// Does work whose processor time counts for the tiles of this rank.
   template <class Work>

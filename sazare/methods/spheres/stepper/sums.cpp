@@ -1,7 +1,6 @@
 /// What spheres have at the time of the forces kept, and what all hold together.
 
 #include "sazare/methods/spheres/stepper/stepper.hpp"
-#include "sazare/parallel/sum_over_ranges.hpp"
 
 namespace sazare::methods::spheres {
 
@@ -85,15 +84,7 @@ void SphereStepper::add_energies(const state::Clump& clump, MotionEnergies& sums
 }
 
 MotionEnergies SphereStepper::motion_energies() const {
-  MotionEnergies sums;
-  if (ranks_ != nullptr) {
-    visit_own([&](std::size_t i) { add_energies(i, sums); });
-  } else {
-    parallel::sum_over_ranges(spheres_.size(), neighbors::tile_size, sums,
-                              [&](std::size_t begin, std::size_t end, MotionEnergies& part) {
-                                for (std::size_t i = begin; i < end; ++i) add_energies(i, part);
-                              });
-  }
+  auto sums = sum_own<MotionEnergies>([this](std::size_t i, MotionEnergies& part) { add_energies(i, part); });
   for (std::size_t c = 0; c < clumps_.clumps.size(); ++c)
     if (owns_clump(c)) add_energies(clumps_.clumps[c], sums);
   return sums;
@@ -108,11 +99,10 @@ void SphereStepper::add_momenta(std::size_t sphere, Momenta& sums) const {
 }
 
 Momenta SphereStepper::momenta() const {
-  Momenta sums;
-  parallel::sum_over_ranges(spheres_.size(), neighbors::tile_size, sums, [&](std::size_t begin, std::size_t end, Momenta& part) {
-    for (std::size_t i = begin; i < end; ++i) add_momenta(i, part);
-  });
-  for (const state::Clump& clump : clumps_.clumps) {
+  auto sums = sum_own<Momenta>([this](std::size_t i, Momenta& part) { add_momenta(i, part); });
+  for (std::size_t c = 0; c < clumps_.clumps.size(); ++c) {
+    if (!owns_clump(c)) continue;
+    const state::Clump& clump = clumps_.clumps[c];
     sums.linear += Vector3(clump.mass * methods::spheres::velocity(clump));
     sums.angular += methods::spheres::angular_momentum(clump);
   }
