@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sazare/core/member_archive.hpp"
+#include "sazare/laws/touching_points.hpp"
 #include "sazare/parallel/threads.hpp"
 
 namespace sazare::methods::blocks {
@@ -12,7 +13,6 @@ namespace sazare::methods::blocks {
 namespace {
 
 constexpr std::size_t serial_below = 64;
-constexpr Real same_direction = 0.7;  // cosine: beyond it a point is another one
 
 }  // namespace
 
@@ -132,30 +132,11 @@ void SurfaceContacts::find_met(const ContactBody& body, Near& near, Real seconds
   }
 }
 
-/// The memory of a touching point: that of the point of the same sphere that faced most nearly the same way, else a new one,
-/// which begins with what one beside it remembers, since it takes over from it.
 SurfaceContacts::Touch& SurfaceContacts::touch_of(const Met& met, Near& near) {
-  const Vector3 normal = -met.point.normal;
-  const auto like = [&](bool again) {
-    auto best = near.touches.end();
-    Real most = same_direction;
-    for (auto known = near.touches.begin(); known != near.touches.end(); ++known) {
-      if (known->sphere != met.sphere || (known->is_touching != 0 && !again)) continue;
-      const Real along = known->normal.dot(normal);
-      if (!(along > most)) continue;
-      most = along;
-      best = known;
-    }
-    return best;
-  };
-  auto touch = like(false);
-  if (touch == near.touches.end()) {
-    const auto beside = like(true);
-    const laws::SphereMemory memory = beside != near.touches.end() ? beside->memory : laws::SphereMemory{};
-    touch = near.touches.insert(near.touches.end(), {met.sphere, 0, normal, memory});
-  }
-  touch->is_touching = 1;
-  return *touch;
+  Touch& touch =
+      laws::touching_point(near.touches, -met.point.normal, [&](const Touch& one) { return one.sphere == met.sphere; });
+  touch.sphere = met.sphere;
+  return touch;
 }
 
 /// Pushes the surface in one point; `shared` is what all points of the block have in common.
@@ -171,9 +152,7 @@ const SurfaceContacts::Push& SurfaceContacts::push(const ContactBody& body, cons
   push.dashpot = push.friction = Vector3::Zero();
   if (met.point.share > 0) {
     Touch& touch = touch_of(met, near);
-    const Vector3 tilt = 2 / (1 + touch.normal.dot(normal)) * (normal - touch.normal);  // exact for any angle
-    touch.memory.turn(normal, tilt, shared.elapsed * face.spin().dot(normal));
-    touch.normal = normal;
+    laws::turn_point(touch, normal, shared.elapsed * face.spin().dot(normal));
     const laws::SphereForce given = force_at(
         law_, normal, face.velocity() - body.motion.velocity_at(arm) - body.straining(met.tangent),
         [&](const Vector3& along) { return body.softness(arm, along, met.tangent); }, shared, touch.memory);

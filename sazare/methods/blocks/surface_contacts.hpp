@@ -66,7 +66,7 @@ private:
   struct Touch {
     Index sphere = 0;
     Index is_touching = 0;
-    Vector3 normal;  ///< from the block to the surface
+    Vector3 normal = Vector3::Zero();  ///< from the block to the surface
     laws::SphereMemory memory;
   };
   /// What the surface has got in a point of it.
