@@ -121,7 +121,10 @@ def natural_block(folder):
     lines = elastic_block(folder).read_text(encoding="utf-8").split("\n")
     strengths = ("cohesion", "tensile_strength", "fracture_energy")
     lines = [line for line in lines if not line.startswith(strengths)]
-    natural = ['law = "barton_bandis"', "jrc = 9.0", "jcs = 80e6", "residual_friction_angle = 28.0", "joint_aperture = 4e-4"]
+    lines.remove(next(line for line in lines if line.startswith("friction_coefficient")))  # that of the joints comes first
+    natural = [
+        'law = "barton_bandis"', "jrc = 9.0", "jcs = 80e6", "residual_friction_angle = 28.0", "joint_aperture = 4e-4", "joint_length = 0.1",
+    ]
     where = lines.index('between = ["rock", "rock"]') + 1
     case = folder / "natural.toml"
     case.write_text("\n".join(lines[:where] + natural + lines[where:]), encoding="utf-8")
