@@ -21,6 +21,7 @@ NodalColumn FemStepper<D>::external(Real now) const {
   if (stage_ == Stage::relaxing) {
     for (Real& value : force) value *= now;
     add_water(0, now, force);
+    add(force, now, state_.applied);
     return force;
   }
   add_water(now, 1, force);
@@ -41,6 +42,7 @@ NodalColumn FemStepper<D>::carried_at_start() const {
   if (is_unloaded()) return NodalColumn(body_->freedoms(), 0);
   NodalColumn force = weight_;
   add_water(0, 1, force);
+  add(force, 1, state_.applied);
   add(force, 1, reaction_);
   return force;
 }

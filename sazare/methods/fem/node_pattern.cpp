@@ -1,6 +1,7 @@
 #include "sazare/methods/fem/node_pattern.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "sazare/parallel/threads.hpp"
 
@@ -51,6 +52,16 @@ void BlockMatrix<D>::add(std::span<const Index> nodes, const Eigen::Ref<const Ei
         for (int k = 0; k < D; ++k)
           values[i * D + k] += factor * matrix(static_cast<Eigen::Index>(a) * D + i, static_cast<Eigen::Index>(b) * D + k);
     }
+}
+
+template <int D>
+NodalColumn BlockMatrix<D>::magnitude_of_product(const NodalColumn& x) const {
+  BlockMatrix magnitude(*pattern_);
+  for (std::size_t i = 0; i < values_.size(); ++i) magnitude.values_[i] = std::abs(values_[i]);
+  NodalColumn sizes(x.size()), result(x.size(), 0);
+  for (std::size_t i = 0; i < x.size(); ++i) sizes[i] = std::abs(x[i]);
+  magnitude.multiply(sizes, 1, result);
+  return result;
 }
 
 template <int D>

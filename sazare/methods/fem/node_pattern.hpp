@@ -63,6 +63,8 @@ public:
 
   /// result += factor * this * x.
   void multiply(const NodalColumn& x, Real factor, NodalColumn& result) const;
+  /// The same product with all numbers positive: what cancels in it is no larger.
+  NodalColumn magnitude_of_product(const NodalColumn& x) const;
 
 private:
   const NodePattern* pattern_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sazare/core/error.hpp"
 #include "sazare/methods/fem/free_field.hpp"
@@ -14,6 +15,7 @@ namespace sazare::methods::fem {
 namespace {
 
 constexpr const char* forces_are_no_numbers = "the forces are infinite, or no numbers";
+constexpr int usual_iterations = 2;  // after which it is asked whether round-off stands in the way
 
 }  // namespace
 
@@ -76,9 +78,11 @@ NodalColumn FemStepper<D>::widened(NodalColumn column) const {
 }
 
 template <int D>
-void FemStepper<D>::relax() {
-  free_field_->relax();
+void FemStepper<D>::relax(NodalColumn applied) {
+  if (!columns_rest_) free_field_->relax();
+  columns_rest_ = true;
   state_.columns = free_field_->states();
+  state_.applied = widened(std::move(applied));
   stage_ = Stage::relaxing;
   prepare_solver(true);
   walk({0, 1, 1}, rules_.most_cuts);
@@ -87,6 +91,7 @@ void FemStepper<D>::relax() {
   initial_displacement_ = state_.displacement;
   NodalColumn carried = weight_;
   add_water(0, 1, carried);
+  add(carried, 1, state_.applied);
   for (const auto& boundary : supports_.viscous)
     for (const Index node : boundary.nodes)
       for (int axis = 0; axis < D; ++axis) {
@@ -238,10 +243,18 @@ bool FemStepper<D>::iterate(Trial& trial, const Factors& by, const NodalColumn& 
       return false;
     }
     if (left <= rules_.tolerance * scale) return true;
+    if (iteration >= usual_iterations && left <= round_off()) return true;
   }
   last_failure_ =
       fmt::format("{:.3g} of the forces was unbalanced, {:.3g} is required", scale > 0 ? left / scale : left, rules_.tolerance);
   return false;
+}
+
+/// Unbalanced force that round-off may leave: internal forces are differences of displacements, which a base may have carried
+/// far. Those of the trial do not count: where there is no equilibrium they grow without bound.
+template <int D>
+Real FemStepper<D>::round_off() const {
+  return 4 * std::numeric_limits<Real>::epsilon() * norm(state_.tangent.magnitude_of_product(state_.displacement));
 }
 
 /// Moves by a change, or by the half of it as often as that leaves less unbalanced force than before. Returns what is left.

@@ -16,7 +16,7 @@ struct FemRules {
   Real step = 0;             ///< [s]
   bool statics = false;      ///< no inertia and no damping: each step is an equilibrium, in which only water in pores may flow
   Real alpha = 0;            ///< of the HHT-alpha step, -1/3 to 0; 0 is Newmark's step of constant average acceleration
-  Real tolerance = 1e-8;     ///< unbalanced force left, over the largest of the forces in play
+  Real tolerance = 1e-8;     ///< unbalanced force left, over the largest of the forces in play, unless round-off leaves more
   int most_iterations = 20;  ///< of the Newton iteration in a step
   int most_cuts = 8;         ///< a step that does not converge is halved so often
   laws::RayleighDamping damping;
@@ -81,9 +81,10 @@ public:
   /// A freedom that nothing holds when the body is at rest, joints closed; none where the stiffness is regular.
   std::optional<methods::fem::Freedom> find_loose_freedom();
 
-  /// Finds the equilibrium under gravity, and the pressure of the water there is at the beginning, before it: viscous boundaries
-  /// carry what they carry in it, and motions begin from there. Throws PhysicsError where there is none.
-  void relax();
+  /// Finds the equilibrium under gravity, the pressure of the water there is at the beginning, and forces on nodes that go on
+  /// acting [N], before it: viscous boundaries carry what they carry in it, and motions begin from there. With other forces it
+  /// may be found again from the state that was there before. Throws PhysicsError where there is none.
+  void relax(methods::fem::NodalColumn applied = {});
 
   /// Finds the accelerations at the beginning; call once before the first `advance`, not after a resume.
   void start();
@@ -202,6 +203,7 @@ private:
   void evaluate(Trial& trial);
   methods::fem::NodalColumn balance_of(const Trial& trial) const;
   methods::fem::NodalColumn unbalance(const Trial& trial, Real& scale) const;
+  Real round_off() const;
   bool factorize(const Factors& by);
   void commit(Trial& trial, const Span& span);
   void add_work(const Trial& trial, const methods::fem::NodalColumn& balance, const Span& span);
@@ -225,6 +227,7 @@ private:
   methods::fem::NodalColumn pore_;                  ///< forces of the water in the pores [N]
   methods::fem::NodalColumn reaction_;              ///< what viscous boundaries and free-field sides carry at rest [N]
   methods::fem::NodalColumn initial_displacement_;  ///< displacements at the beginning [m]
+  bool columns_rest_ = false;                       ///< those beside free-field sides, in their equilibrium
   typename methods::fem::LinearSolver<D>::Unknowns unknowns_;
   Stage stage_ = Stage::running;
   FemState<D> state_;

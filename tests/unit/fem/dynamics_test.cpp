@@ -187,6 +187,27 @@ TEST(rayleigh, leaves_a_column_alone_that_moves_with_its_base) {
   EXPECT_LT(left_in_space, 1e-4);
 }
 
+/// A wall of concrete that its base carries away: its forces are small differences of displacements of many metres.
+TEST(newton, finds_the_step_of_a_stiff_body_far_from_where_it_began) {
+  const auto mesh = test::box(ElementShape::quadrilateral8, {{0.4, 2.5, 1}, {4, 25, 1}, 0});
+  Supports<2> supports;
+  laws::GroundMotion away;
+  away.shape = laws::GroundMotion::Shape::sine;
+  away.sine_wave = {2, 0};
+  away.amplitude = 20;  // accelerations from rest: it goes on
+  supports.motions = {away};
+  test::hold<2>(mesh, "bottom", 0, supports, 0);
+  test::hold<2>(mesh, "bottom", 1, supports);
+  FemRules rules;
+  rules.step = 1e-3;
+  rules.alpha = -0.1;
+  FemStepper<2> stepper(std::make_unique<Body<2>>(test::of_one_material(mesh, SolidMaterial::elastic_of(25e9, 0.2, 2400))),
+                        std::move(supports), rules);
+  stepper.start();
+  for (int step = 0; step < 1500; ++step) ASSERT_NO_THROW(stepper.advance()) << stepper.time();
+  EXPECT_GT(stepper.state().displacement[0], 2);
+}
+
 /// Work and stored energy of a static step with all that can load a body: the balance closes, whether loads grow or come at once.
 TEST(statics, have_a_work_balance_that_closes) {
   for (const Real ramp : {0.0, 1.0, 3.5})
