@@ -54,6 +54,7 @@ PICTURES = {
     "seawall-shaking-table": "together",
     "seawall-in-water": "together",
     "block-on-soft-ground": "together",
+    "slope-hits-wall": "together",
     "rock-fall-on-slab": "together",
 }
 
