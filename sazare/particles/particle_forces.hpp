@@ -13,6 +13,10 @@ public:
   /// Accelerations of all particles by these forces [m/s2], [rad/s2].
   virtual void evaluate(const state::Particles<D>& particles, state::FreedomColumns<D>& acceleration) = 0;
 
+  /// Adds what part of the last accelerations has no Rayleigh damping, times a factor: that of contacts with dashpots of their
+  /// own, whose forces would else be damped by how fast they change.
+  virtual void add_undamped(Real /*factor*/, state::FreedomColumns<D>& /*acceleration*/) const {}
+
   /// Energy stored in them [J; J/m in 2-D].
   virtual Real energy(const state::Particles<D>& particles) = 0;
 

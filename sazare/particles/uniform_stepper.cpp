@@ -272,8 +272,16 @@ void UniformStepper<D>::kick_and_drift() {
   ++step_;
   drive();
   add_work_of_supports();
+  evaluate_next();
+}
+
+/// Damping sees the change of what is damped alone: to what is not, `previous_` is brought up as well.
+template <int D>
+void UniformStepper<D>::evaluate_next() {
   std::swap(elastic_, previous_);
+  forces_->add_undamped(-1, previous_);
   forces_->evaluate(particles_, elastic_);
+  forces_->add_undamped(1, previous_);
 }
 
 /// Euler's step.
@@ -282,8 +290,7 @@ void UniformStepper<D>::drift_and_kick() {
   for_packs(particles_.padded(), [&](std::size_t begin, std::size_t end) { drift(begin, end, rules_.step); });
   ++step_;
   drive();
-  std::swap(elastic_, previous_);
-  forces_->evaluate(particles_, elastic_);
+  evaluate_next();
   for_packs(particles_.padded(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t freedom = 0; freedom < keep_.size(); ++freedom)
       for (std::size_t i = begin; i < end; ++i) {

@@ -114,6 +114,7 @@ private:
     return g + memory_[i] * (g - previous_[freedom][i]);
   }
   void kick_and_drift();
+  void evaluate_next();
   template <bool damped>
   void kick(std::size_t tile, std::size_t begin, std::size_t end);
   void find_even_tiles();
@@ -147,7 +148,7 @@ private:
   UniformRules rules_;
   std::int64_t step_ = 0;
   state::FreedomColumns<D> elastic_;      ///< g(k) [m/s2], [rad/s2]
-  state::FreedomColumns<D> previous_;     ///< g(k-1)
+  state::FreedomColumns<D> previous_;     ///< g(k-1), but for what is not damped, which is that of g(k)
   state::FreedomColumns<D> load_;         ///< from nowhere: gravity, incoming waves, what is applied from outside
   std::array<state::Column, D> applied_;  ///< of the load, what is applied from outside [m/s2]; empty while nothing was
   state::FreedomColumns<D> keep_;         ///< what a kick leaves of the velocity

@@ -33,6 +33,7 @@ RUNS = {
     "fem": (CASES / "cantilever-fem/case.toml", clocks(2e-3, 1e-3)),
     "hybrid": (CASES / "two-mass-oscillator/case.toml", sides(1e-3, 5e-4)),
     "hybrid of rectangles": (CASES / "block-on-soft-ground/case.toml", sides(0.02, 0.01)),
+    "hybrid of ground": (CASES / "slope-hits-wall/case.toml", sides(0.04, 0.02)),
     "hybrid of blocks": (CASES / "rock-fall-on-slab/case.toml", sides(2e-4, 1e-4)),
 }
 FIELDS = ("CellData", "PointData")

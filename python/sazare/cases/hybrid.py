@@ -16,8 +16,8 @@ class Sides(Part):
     exchange force and motion; it may also be run alone.
     """
     bodies: str
-    """Case of method spheres, rectangles or blocks with the same end and intervals; its time step divides the coupling window,
-    and is chosen accordingly where it is not given.
+    """Case of method spheres, rectangles, blocks or mps with the same end and intervals; its time step divides the coupling
+    window, and is chosen accordingly where it is not given.
     """
 
 
@@ -30,6 +30,10 @@ class Surface(Part):
     material: str | None = None
     """Material of the bodies' case that the surface has in contact; rectangles and blocks have one contact law. (required for
     bodies of method spheres, and only for them)
+    """
+    friction_coefficient: float | None = None
+    """Friction between the ground and the surface; of a wall often two thirds of the ground's friction angle, as a tangent. The
+    surface has no cohesion with the ground. (required for bodies of method mps, and only for them) At least 0.
     """
     width: float | None = None
     """Width along z of the slab of bodies, by which forces are divided: a continuum in 2-D takes them per metre. [m] (required

@@ -41,6 +41,13 @@ def _is_body(grid):
     return np.asarray(grid.cell_data["block"]) >= 0 if "block" in grid.cell_data else np.ones(grid.n_cells, dtype=bool)
 
 
+def _radii(cloud):
+    """Radius of every body [m] where bodies are round: spheres, and particles of ground, which are as wide as their spacing; else None."""
+    if "radius" in cloud.cell_data:
+        return np.asarray(cloud.cell_data["radius"])
+    return 0.5 * np.asarray(cloud.cell_data["spacing"]) if "spacing" in cloud.cell_data else None
+
+
 def _speed(grid):
     """Speed of every body [m/s]."""
     return np.linalg.norm(np.asarray(grid.cell_data["velocity"])[_is_body(grid)], axis=1)
@@ -50,8 +57,8 @@ def _frame(meshes, clouds):
     """Lower and upper corner, in the plane, of all that is drawn."""
     corners = [np.asarray(mesh.points)[:, :2] for mesh in meshes]
     for cloud in clouds:
-        if "radius" in cloud.cell_data:
-            points, radius = np.asarray(cloud.points)[:, :2], np.asarray(cloud.cell_data["radius"])[:, None]
+        if (radii := _radii(cloud)) is not None:
+            points, radius = np.asarray(cloud.points)[:, :2], radii[:, None]
             corners += [points - radius, points + radius]
         else:
             corners += _corners(cloud) if "block" in cloud.cell_data else [np.asarray(cloud.points)[:, :2]]
@@ -61,7 +68,7 @@ def _frame(meshes, clouds):
 
 def _spheres(axes, cloud):
     order = np.argsort(np.asarray(cloud.points)[:, 2])
-    points, widths = np.asarray(cloud.points)[order, :2], 2.0 * np.asarray(cloud.cell_data["radius"])[order]
+    points, widths = np.asarray(cloud.points)[order, :2], 2.0 * _radii(cloud)[order]
     return EllipseCollection(widths, widths, np.zeros(len(widths)), units="xy", offsets=points, transOffset=axes.transData,
                              array=_speed(cloud)[order], cmap=style.SPEED, edgecolors="#000000aa", linewidths=0.3)
 
@@ -88,7 +95,7 @@ def _draw_sides(axes, mesh, cloud, top):
     cells = [np.asarray(mesh.points)[cell, :2] for cell in fem.outlines(mesh)]
     colors = [style.GROUND[int(region) % len(style.GROUND)] for region in np.asarray(mesh.cell_data["region"])]
     axes.add_collection(PolyCollection(cells, facecolors=colors, edgecolors="#ffffff", linewidths=0.4))
-    drawn = axes.add_collection(_spheres(axes, cloud) if "radius" in cloud.cell_data else _polygons(cloud))
+    drawn = axes.add_collection(_spheres(axes, cloud) if _radii(cloud) is not None else _polygons(cloud))
     drawn.set_clim(0.0, top)
     axes.set_aspect("equal")
     axes.grid(False)
@@ -148,15 +155,17 @@ def _in_space(frames, top):
         coloured = {"scalars": "speed", "cmap": style.SPEED, "clim": (0.0, top)}
         images.append(render(view, [
             Layer(ground, {"color": style.GROUND[0], "show_edges": True, "edge_color": "white", "line_width": 1.0, "ambient": AMBIENT}),
-            Layer(bodies, {**coloured, "show_edges": "radius" not in cloud.cell_data, "edge_color": style.INK, "line_width": 1.0, "ambient": AMBIENT}),
+            Layer(bodies, {**coloured, "show_edges": _radii(cloud) is None, "edge_color": style.INK, "line_width": 1.0, "ambient": AMBIENT}),
         ]).image)
     return sheet(trimmed_alike(images))
 
 
 def _bodies(cloud):
-    """Spheres as balls, or the outside of other bodies, with their speed [m/s]."""
-    if "radius" in cloud.cell_data:
-        return spheres.balls(cloud)
+    """Round bodies as balls, or the outside of other ones, with their speed [m/s]."""
+    if (radii := _radii(cloud)) is not None:
+        round_bodies = cloud.copy()
+        round_bodies.cell_data["radius"] = radii
+        return spheres.balls(round_bodies)
     outside = cloud.copy()
     outside.cell_data["speed"] = np.linalg.norm(cloud.cell_data["velocity"], axis=1)
     return outside.extract_surface()

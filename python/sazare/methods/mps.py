@@ -16,9 +16,10 @@ ENERGIES = {
     "energy_plastic": ("plastic flow", style.SLIP),
     "energy_fracture": ("rupture", style.RUPTURE),
     "energy_contact": ("contacts and broken ground", style.CONTACT_DASHPOT),
+    "energy_surface_contact": ("contact with the coupling surface", style.FRICTION),
 }
 # Causes of work, whose sum the energies above and the residual make up.
-WORKS = ("energy_work_gravity", "energy_work_viscous", "energy_work_boundary", "energy_work_applied")
+WORKS = ("energy_work_gravity", "energy_work_viscous", "energy_work_boundary", "energy_work_applied", "energy_work_surface")
 KINDS = (
     (0, "free", style.STONE_EDGE), (1, "held", "#b5302a"), (2, "prescribed motion", "#d98a1f"), (3, "viscous boundary", "#1f5f9c"),
 )

@@ -38,6 +38,8 @@ class WindowCourse {
 public:
   /// Throws UserError where the window is no whole number of steps of the bodies, which are called so in words.
   void open(const coupling::SurfaceShape& shape, Real step, const char* bodies);
+  /// Before the first window: the same surface elsewhere.
+  void move_to(const coupling::SurfaceShape& shape) { shape_ = shape; }
 
   /// True where a window begins that was not there before, false where the last one is gone through again. Throws UserError
   /// where a motion is out of turn, or of another surface. `can_repeat`: the bodies can go back to the last window's beginning.

@@ -75,13 +75,18 @@ coupling::SurfaceMotion ContinuumSide<D>::motion(std::int32_t pass) const {
 }
 
 template <int D>
-coupling::SurfaceForce ContinuumSide<D>::try_window(coupling::ContinuumChannel& channel, const std::vector<Real>& force,
-                                                    std::int32_t pass) {
+NodalColumn ContinuumSide<D>::on_nodes(const std::vector<Real>& force) const {
   NodalColumn all = outside_;
   all.resize(stepper_->body().freedoms(), 0);
   for (std::size_t n = 0; n < nodes(); ++n)
     for (int axis = 0; axis < D; ++axis) all[number<D>(surface_.nodes[n], axis)] += force[n * D + static_cast<std::size_t>(axis)];
-  stepper_->apply(std::move(all));
+  return all;
+}
+
+template <int D>
+coupling::SurfaceForce ContinuumSide<D>::try_window(coupling::ContinuumChannel& channel, const std::vector<Real>& force,
+                                                    std::int32_t pass) {
+  stepper_->apply(on_nodes(force));
   stepper_->advance();
   ++totals_.passes;
   return channel.exchange(motion(pass));

@@ -58,6 +58,9 @@ public:
   /// The shape with the nodes in the equilibrium of the body.
   coupling::SurfaceShape shape() const;
 
+  /// Forces on the surface as ones on all nodes, beside those from outside.
+  NodalColumn on_nodes(const std::vector<Real>& force) const;
+
   /// Takes the forces at the beginning, after the stepper has started.
   void start(const coupling::SurfaceForce& force);
 

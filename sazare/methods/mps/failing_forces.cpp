@@ -71,16 +71,31 @@ void FailingForces<D>::cut_links(Index particle) {
   for (std::size_t n = 0; n < links_.directions.size(); ++n) {
     if (!links_.is_present(n, particle)) continue;
     const Index other = links_.directions[n].neighbor[at(particle)];
-    links_.set_share(n, particle, 0);
-    links_.set_share(links_.opposite(n), other, 0);
-    strength_.measure(other, links_);
+    cut_.push_back({n, particle, links_.share(n, particle), links_.share(links_.opposite(n), other)});
+    set_link(cut_.back(), 0, 0);
     contacts_.loosen(other);
     ++lost_links_[at(particle)];
     ++lost_links_[at(other)];
-    ++broken_links_;
   }
   strength_.measure(particle, links_);
   contacts_.release(particle);
+}
+
+template <int D>
+void FailingForces<D>::set_link(const CutLink& link, Real share, Real opposite_share) {
+  const Index other = links_.directions[link.direction].neighbor[at(link.particle)];
+  links_.set_share(link.direction, link.particle, share);
+  links_.set_share(links_.opposite(link.direction), other, opposite_share);
+  strength_.measure(other, links_);
+}
+
+/// All links are as they were at the beginning.
+template <int D>
+void FailingForces<D>::restore_links() {
+  for (const CutLink& link : cut_) set_link(link, link.share, link.opposite_share);
+  for (const CutLink& link : cut_) strength_.measure(link.particle, links_);
+  cut_.clear();
+  std::ranges::fill(lost_links_, 0);
 }
 
 template <int D>
@@ -142,8 +157,9 @@ void FailingForces<D>::columns(Archive& archive) {
   for (std::size_t n = 0; n < relief_.size(); ++n) archive("relief" + std::to_string(n), relief_[n]);
   archive.folder("gathered", [&] { gathered_.columns(archive); });
   archive.folder("contacts", [&] { contacts_.columns(archive); });
-  if (archive.reading())
-    for (const Index particle : gathered_.particles()) cut_links(particle);
+  if (!archive.reading()) return;
+  restore_links();  // which a run that goes back in time has cut meanwhile
+  for (const Index particle : gathered_.particles()) cut_links(particle);
 }
 
 template class FailingForces<2>;

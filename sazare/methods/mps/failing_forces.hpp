@@ -34,16 +34,25 @@ public:
   const GroundStrength<D>& strength() const { return strength_; }
   const GatheredGround<D>& gathered() const { return gathered_; }
   FailureWork work() const { return {flow_ + gathered_.flow(), rupture_ + gathered_.lost(), contacts_.dissipated() + gathered_.drag()}; }
-  Index broken_links() const { return broken_links_; }
+  Index broken_links() const { return static_cast<Index>(cut_.size()); }
   Index contacts() const { return contacts_.touching(); }
 
   /// Share of the links at the beginning that a particle has lost [-].
   Real broken_fraction(Index particle) const;
 
 private:
+  /// A link that broke, and what it was.
+  struct CutLink {
+    std::size_t direction = 0;
+    Index particle = 0;
+    Real share = 0, opposite_share = 0;  ///< see LinkTable
+  };
+
   std::vector<Index> ruptured() const;
   void break_ground(const state::Particles<D>& particles, std::span<const Index> broken);
   void cut_links(Index particle);
+  void set_link(const CutLink& link, Real share, Real opposite_share);
+  void restore_links();
   void add_work_of_flow(const state::Particles<D>& particles);
   Real energy_around(const state::Particles<D>& particles, std::span<const Index> broken) const;
 
@@ -58,7 +67,7 @@ private:
   state::Column pressure_;  ///< see evaluate_links
   std::vector<Index> whole_links_;  ///< by particle, at the beginning
   std::vector<Index> lost_links_;   ///< by particle
-  Index broken_links_ = 0;
+  std::vector<CutLink> cut_;        ///< in the order in which they broke
   Real flow_ = 0, rupture_ = 0;
 };
 

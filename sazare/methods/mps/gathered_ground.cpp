@@ -5,6 +5,7 @@
 #include <numeric>
 #include <string>
 
+#include "sazare/core/member_archive.hpp"
 #include "sazare/parallel/threads.hpp"
 
 namespace sazare::methods::mps {
@@ -292,7 +293,19 @@ Real GatheredGround<D>::energy(const GroundStrength<D>& strength) const {
 
 template <int D>
 void GatheredGround<D>::columns(Archive& archive) {
-  archive("members", members_);
+  std::vector<Rotation<D>> stress;
+  std::vector<Real> opening;
+  for (const Member& member : members_) {
+    stress.push_back(member.state.stress);
+    opening.push_back(member.state.opening);
+  }
+  archive("member_stress", stress);
+  archive("member_opening", opening);
+  if (archive.reading()) members_.resize(stress.size());
+  archive_members(archive, "member_particle", members_, &Member::particle);
+  archive_members(archive, "member_is_new", members_, &Member::is_new);
+  archive_members(archive, "member_volume", members_, &Member::volume);
+  for (std::size_t n = 0; n < members_.size(); ++n) members_[n].state = {stress[n], opening.at(n)};
   archive("flow", flow_);
   archive("drag", drag_);
   archive("lost", lost_);

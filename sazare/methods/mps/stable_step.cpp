@@ -20,6 +20,12 @@ Real euler_limit(Real square, Real mass_rate, Real lag) {
 
 }  // namespace
 
+StableStep with_outside_springs(const StableStep& without, Real square) {
+  const Real own = without.frequency * without.frequency, all = own + square;
+  const Real lag = std::max((4 / own - without.verlet * without.verlet) / (2 * without.verlet), Real{0});  // of the mean ratio
+  return {verlet_limit(all, lag * own / all), 0, std::sqrt(all)};
+}
+
 template <int D>
 StableStep stable_step(const state::Particles<D>& particles, const LinkTable<D>& links,
                        const particles::ParticleSupports<D>& supports, const laws::RayleighDamping& damping) {

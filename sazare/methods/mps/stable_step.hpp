@@ -26,6 +26,11 @@ struct StableStep {
   Real frequency = 0;  ///< largest angular frequency of the undamped model [rad/s]
 };
 
+/// The limit with springs to the outside besides, none of which gives a particle more than `square` = k/m [1/s2] and which have
+/// no damping of their own: (w^2 + square) dt^2 + 2 w^2 lag dt = 4, lag as the limit without them tells it. Of Euler nothing is
+/// known.
+StableStep with_outside_springs(const StableStep& without, Real square);
+
 template <int D>
 StableStep stable_step(const state::Particles<D>& particles, const LinkTable<D>& links,
                        const particles::ParticleSupports<D>& supports, const laws::RayleighDamping& damping);

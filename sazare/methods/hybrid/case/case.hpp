@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "sazare/cases/case_file.hpp"
@@ -14,13 +15,14 @@ enum class HybridScheme { automatic, lagged, impulse, iterative };
 
 struct HybridSides {
   std::filesystem::path continuum;  // of finite elements
-  std::filesystem::path bodies;     // of method spheres, rectangles or blocks
+  std::filesystem::path bodies;     // of method spheres, rectangles, blocks or mps
 };
 
 struct HybridSurface {
   std::string group;     // of the continuum's mesh
   std::string material;  // of the bodies' case, of method spheres
   Real width = 0;        // m, of the slab of spheres or blocks on a continuum in the plane
+  std::optional<Real> friction_coefficient;  // with ground of method mps
 };
 
 struct HybridCoupling {

@@ -12,6 +12,7 @@
 #include "sazare/methods/blocks/case/case.hpp"
 #include "sazare/methods/hybrid/case/continuum.hpp"
 #include "sazare/methods/hybrid/case/format.hpp"
+#include "sazare/methods/mps/case/case.hpp"
 #include "sazare/methods/rectangles/case/case.hpp"
 #include "sazare/methods/spheres/case/case.hpp"
 
@@ -43,7 +44,7 @@ std::shared_ptr<const CaseFile> read_side(const CheckContext& context, std::stri
 
 void check_material(const CheckContext& context, const SpheresCase& spheres, const std::string& material) {
   const Entry entry = context.entries_of("surface").front();
-  check_keys(context, entry, "method spheres", {"material"}, {});
+  check_keys(context, entry, "method spheres", {"material"}, {"friction_coefficient"});
   if (!entry.gives("material")) return;
   std::vector<std::string> names;
   for (const SphereMaterial& one : spheres.materials) names.push_back(one.name);
@@ -70,18 +71,39 @@ void check_width(const CheckContext& context, const HybridCase& hybrid) {
 
 /// Elements of rectangles have one contact law, and a thickness; they lie in the plane.
 void check_rectangles_surface(const CheckContext& context, const HybridCase& hybrid) {
-  check_keys(context, context.entries_of("surface").front(), "method rectangles", {}, {"material", "width"});
+  check_keys(context, context.entries_of("surface").front(), "method rectangles", {},
+             {"material", "width", "friction_coefficient"});
   if (continuum_of(hybrid).mesh.dimension == 2) return;
   context.problems.error(context.entries_of("sides").front().place("bodies"),
                          "bodies of method rectangles are two-dimensional, and the continuum is in 3-D",
                          "take a continuum with dimension = 2, or bodies of another method");
 }
 
+/// Ground has the dimension of the continuum. What its method can do alone and not beside a surface is refused.
+void check_ground_surface(const CheckContext& context, const HybridCase& hybrid) {
+  check_keys(context, context.entries_of("surface").front(), "method mps", {"friction_coefficient"}, {"material", "width"});
+  const auto& ground = hybrid.bodies->as<MpsCase>();
+  const int dimension = continuum_of(hybrid).mesh.dimension;
+  if (ground.particles.dimension != dimension)
+    context.problems.error(context.entries_of("sides").front().place("bodies"),
+                           fmt::format("the ground is in {}-D, and the continuum in {}-D", ground.particles.dimension, dimension),
+                           "give both the same dimension");
+  if (context.problems.has_errors()) return;
+  const auto& periodic = ground.particles.periodic;
+  if (periodic[0] || periodic[1] || periodic[2])
+    refuse(*hybrid.bodies, "particles.periodic", "ground of a hybrid case cannot be periodic: the surface is not",
+           "remove periodic, and give its sides boundaries");
+  if (ground.time.integrator == Integrator::euler)
+    refuse(*hybrid.bodies, "time.integrator", "ground of a hybrid case cannot take Euler's steps, which have no energy balance",
+           "set integrator = \"verlet\"");
+}
+
 void check_surface(const CheckContext& context, const HybridCase& hybrid) {
   if (!hybrid.continuum || !hybrid.bodies) return;
+  if (hybrid.bodies->holds<MpsCase>()) return check_ground_surface(context, hybrid);
   if (hybrid.bodies->holds<RectanglesCase>()) return check_rectangles_surface(context, hybrid);
   if (hybrid.bodies->holds<BlocksCase>())
-    check_keys(context, context.entries_of("surface").front(), "method blocks", {}, {"material"});
+    check_keys(context, context.entries_of("surface").front(), "method blocks", {}, {"material", "friction_coefficient"});
   else
     check_material(context, hybrid.bodies->as<cases::SpheresCase>(), hybrid.surface.material);
   check_width(context, hybrid);
@@ -102,6 +124,7 @@ BodiesClocks clocks_of(const CaseFile& bodies) {
     return of("base_step", blocks->time.base_step, blocks->time);
   if (const auto* rectangles = std::any_cast<RectanglesCase>(&bodies.content))
     return of("step", rectangles->time.step, rectangles->time);
+  if (const auto* ground = std::any_cast<MpsCase>(&bodies.content)) return of("step", ground->time.step, ground->time);
   return of("step", bodies.as<cases::SpheresCase>().time.step, bodies.as<cases::SpheresCase>().time);
 }
 
@@ -159,7 +182,8 @@ void check_hybrid(const CheckContext& context, HybridCase& hybrid) {
     there = there && sides.gives(key) && check_file(context, sides.place(key), "case", path, *sides.value->find(key)->text());
   if (!there || context.problems.has_errors()) return;
   hybrid.continuum = read_side<ContinuumCase>(context, "continuum", continuum_method);
-  hybrid.bodies = read_side<SpheresCase, RectanglesCase, BlocksCase>(context, "bodies", "spheres, rectangles or blocks");
+  hybrid.bodies =
+      read_side<SpheresCase, RectanglesCase, BlocksCase, MpsCase>(context, "bodies", "spheres, rectangles, blocks or mps");
   check_surface(context, hybrid);
   if (!context.problems.has_errors() && hybrid.continuum && hybrid.bodies) {
     check_times(hybrid);

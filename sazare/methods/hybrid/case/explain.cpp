@@ -9,8 +9,10 @@ namespace sazare::cases {
 
 std::string explain(const HybridCase& hybrid) {
   const HybridSurface& of = hybrid.surface;
-  const std::string surface = of.group + (of.material.empty() ? "" : fmt::format(", in contact as {}", of.material)) +
-                              (of.width > 0 ? fmt::format(", a slab of {} m", short_number(of.width)) : "");
+  const std::string surface =
+      of.group + (of.material.empty() ? "" : fmt::format(", in contact as {}", of.material)) +
+      (of.width > 0 ? fmt::format(", a slab of {} m", short_number(of.width)) : "") +
+      (of.friction_coefficient ? fmt::format(", friction {}", short_number(*of.friction_coefficient)) : "");
   const HybridCoupling& coupling = hybrid.coupling;
   std::string scheme(word(coupling.scheme));
   if (coupling.scheme == HybridScheme::iterative)

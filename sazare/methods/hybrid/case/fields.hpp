@@ -22,6 +22,7 @@ void visit_fields(Visitor& visit, HybridSurface& surface) {
   visit("group", surface.group);
   if (visit.has("material", !surface.material.empty())) visit("material", surface.material);
   if (visit.has("width", surface.width > 0)) visit("width", surface.width);
+  visit("friction_coefficient", surface.friction_coefficient);
 }
 
 template <class Visitor>

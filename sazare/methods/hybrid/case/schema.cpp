@@ -17,8 +17,9 @@ constexpr std::array side_keys{
     Key{.name = "bodies",
         .type = Type::file,
         .need = Need::required,
-        .sentence = "Case of method spheres, rectangles or blocks with the same end and intervals; its time step divides the "
-                    "coupling window, and is chosen accordingly where it is not given."},
+        .sentence =
+            "Case of method spheres, rectangles, blocks or mps with the same end and intervals; its time step divides the "
+            "coupling window, and is chosen accordingly where it is not given."},
 };
 
 constexpr std::array surface_keys{
@@ -29,8 +30,14 @@ constexpr std::array surface_keys{
     Key{.name = "material",
         .type = Type::text,
         .note = "required for bodies of method spheres, and only for them",
+        .sentence = "Material of the bodies' case that the surface has in contact; rectangles and blocks have one contact law."},
+    Key{.name = "friction_coefficient",
+        .type = Type::number,
+        .range = not_negative,
+        .note = "required for bodies of method mps, and only for them",
         .sentence =
-            "Material of the bodies' case that the surface has in contact; rectangles and blocks have one contact law."},
+            "Friction between the ground and the surface; of a wall often two thirds of the ground's friction angle, as a "
+            "tangent. The surface has no cohesion with the ground."},
     Key{.name = "width",
         .type = Type::number,
         .unit = "m",

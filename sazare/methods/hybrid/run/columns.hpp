@@ -39,6 +39,8 @@ inline constexpr std::array figures = {
     Column{"body_element_steps", "-", ""},
     Column{"blocks", "-", "where they are blocks"},
     Column{"block_steps", "-", ""},
+    Column{"ground_particles", "-", "where they are ground of method mps"},
+    Column{"ground_particle_steps", "-", ""},
     Column{"impulse_given", "N s", "by the bodies"},
     Column{"impulse_pending", "N s", "that the continuum has not received"},
     Column{"energy_work_on_nodes", "J", ""},

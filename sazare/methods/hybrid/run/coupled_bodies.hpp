@@ -8,6 +8,7 @@
 ///     method, name                      as a case calls the method, and as words call its bodies
 ///     count_key, steps_key, evaluated   of figures and progress
 ///     per_thread                        bodies that keep a thread busy, see the method alone
+///     meets(dimension)                  whether they may meet a continuum of that dimension
 ///     model, side                       the bodies, and their side of the coupling
 ///     count(), step()                   how many there are, and their own step [s]
 ///     prepare(options)                  what comes before the windows; false when asked to stop meanwhile
@@ -23,8 +24,11 @@
 #include "sazare/methods/blocks/run/rows/motion_rows.hpp"
 #include "sazare/methods/hybrid/block_side.hpp"
 #include "sazare/methods/hybrid/case/case.hpp"
+#include "sazare/methods/hybrid/ground_side.hpp"
 #include "sazare/methods/hybrid/rectangle_side.hpp"
 #include "sazare/methods/hybrid/sphere_side.hpp"
+#include "sazare/methods/mps/run/identity.hpp"
+#include "sazare/methods/mps/run/record.hpp"
 #include "sazare/methods/rectangles/run/identity.hpp"
 #include "sazare/methods/rectangles/run/record.hpp"
 #include "sazare/methods/spheres/run/identity.hpp"
@@ -54,6 +58,7 @@ struct CoupledSpheres {
   static constexpr const char *method = "spheres", *name = "spheres";
   static constexpr const char *count_key = "particles", *steps_key = "particle_steps", *evaluated = "particle-steps";
   static constexpr int per_thread = 4000;
+  static constexpr bool meets(int) { return true; }
 
   const cases::CaseFile& file;
   SpheresModel model;
@@ -77,6 +82,7 @@ struct CoupledRectangles {
   static constexpr const char *method = "rectangles", *name = "rectangles";
   static constexpr const char *count_key = "body_elements", *steps_key = "body_element_steps", *evaluated = "element-steps";
   static constexpr int per_thread = 4000;
+  static constexpr bool meets(int dimension) { return dimension == 2; }
 
   const cases::CaseFile& file;
   RectanglesModel model;
@@ -100,6 +106,7 @@ struct CoupledBlocks {
   static constexpr const char *method = "blocks", *name = "blocks";
   static constexpr const char *count_key = "blocks", *steps_key = "block_steps", *evaluated = "block-steps";
   static constexpr int per_thread = 4000;
+  static constexpr bool meets(int) { return true; }
 
   const cases::CaseFile& file;
   BlocksModel model;
@@ -118,16 +125,51 @@ struct CoupledBlocks {
   void columns(Archive& archive) { model.simulation->columns(archive); }
 };
 
+template <int D>
+struct CoupledGround {
+  using Record = MpsRecord<D>;
+  static constexpr const char *method = "mps", *name = "particles of ground";
+  static constexpr const char *count_key = "ground_particles", *steps_key = "ground_particle_steps",
+                              *evaluated = "particle-steps";
+  static constexpr int per_thread = 4000;
+  static constexpr bool meets(int dimension) { return dimension == D; }
+
+  const cases::CaseFile& file;
+  MpsModel<D> model;
+  methods::hybrid::GroundSide<D> side;
+
+  explicit CoupledGround(const BodiesSetting& setting);
+  /// Whether it finds its equilibrium with the surface where that stands.
+  bool settles() const { return file.as<cases::MpsCase>().gravity.settle; }
+  std::int64_t count() const { return static_cast<std::int64_t>(model.filling.sites.size()); }
+  Real step() const { return model.step; }
+  bool prepare(const RunOptions& options);
+  const std::string& warning() const { return model.warning; }
+  RunIdentity identity() const;
+  const std::string& title() const { return file.as<cases::MpsCase>().title; }
+  void write_case(const RunFolder& folder) const;
+  void apply(std::span<const Vector3> forces) { model.stepper->apply(forces); }
+  void read_motion(MotionTable& table) const { read_particles(*model.stepper, static_cast<Index>(count()), table); }
+  void columns(Archive& archive) { model.stepper->columns(archive); }
+};
+
+extern template struct CoupledGround<2>;
+extern template struct CoupledGround<3>;
+
 /// Calls `visit` with the type of the bodies of a case and hands back what it gives.
 template <class Visit>
 auto visit_bodies(const cases::HybridCase& hybrid, Visit&& visit) {
+  if (const auto* ground = std::any_cast<cases::MpsCase>(&hybrid.bodies->content)) {
+    if (ground->particles.dimension == 3) return visit(std::type_identity<CoupledGround<3>>{});
+    return visit(std::type_identity<CoupledGround<2>>{});
+  }
   if (hybrid.bodies->holds<cases::RectanglesCase>())
     return visit(std::type_identity<CoupledRectangles>{});
   if (hybrid.bodies->holds<cases::BlocksCase>()) return visit(std::type_identity<CoupledBlocks>{});
   return visit(std::type_identity<CoupledSpheres>{});
 }
 
-/// What a case of bodies will do in windows of this length [s], in words.
-std::string check_bodies(const cases::CaseFile& bodies, Real window);
+/// What the case of the bodies will do, in words.
+std::string check_bodies(const cases::HybridCase& hybrid);
 
 }  // namespace sazare::runs

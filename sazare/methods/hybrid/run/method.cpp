@@ -21,7 +21,10 @@ std::string counted(const observe::Manifest& manifest, std::string_view name, st
 }
 
 std::string bodies_text(const observe::Manifest& manifest) {
-  for (const auto& [name, words] : {std::pair{"particles", "spheres"}, {"body_elements", "rectangles"}, {"blocks", "blocks"}})
+  for (const auto& [name, words] : {std::pair{"particles", "spheres"},
+                                    {"body_elements", "rectangles"},
+                                    {"blocks", "blocks"},
+                                    {"ground_particles", "particles of ground"}})
     if (std::ranges::any_of(manifest.results, [&](const auto& result) { return result.first == name; }))
       return counted(manifest, name, words);
   return "no bodies";

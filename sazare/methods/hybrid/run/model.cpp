@@ -5,6 +5,7 @@
 
 #include "sazare/methods/hybrid/case/case.hpp"
 #include "sazare/methods/hybrid/run/continuum.hpp"
+#include "sazare/methods/mps/case/case.hpp"
 #include "sazare/methods/rectangles/case/case.hpp"
 #include "sazare/methods/spheres/case/case.hpp"
 
@@ -19,6 +20,7 @@ methods::hybrid::CouplingRules coupling_rules(const cases::HybridCase& hybrid) {
 }
 
 Real surface_width(const cases::HybridCase& hybrid) {
+  if (hybrid.bodies->holds<cases::MpsCase>()) return 1;  // all of it is per metre
   const auto* rectangles = std::any_cast<cases::RectanglesCase>(&hybrid.bodies->content);
   return rectangles != nullptr ? rectangles->elements.thickness : hybrid.surface.width;
 }

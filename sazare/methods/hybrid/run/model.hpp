@@ -13,7 +13,7 @@ methods::hybrid::CouplingRules coupling_rules(const cases::HybridCase& hybrid);
 /// The surface that the case names, in the mesh of its continuum. Throws UserError where it is no surface of the body.
 geometry::LinearSurface coupled_surface(const cases::CaseFile& file, const geometry::ElementMesh& mesh);
 
-/// Width of the slab of bodies on a 2-D continuum; elements of rectangles have their own thickness [m].
+/// Width of the slab of bodies on a 2-D continuum; elements of rectangles have their own thickness, ground has 1 [m].
 Real surface_width(const cases::HybridCase& hybrid);
 
 /// Number of the surface's material among those of the spheres.

@@ -101,11 +101,13 @@ void HybridRecord<D, Bodies>::check_motion(Real time) const {
 
 namespace {
 
-/// The reference of a side's residual [J].
+/// The reference of a side's residual: its work, or the works by cause that it names [J].
 Real work_of(const std::vector<std::pair<std::string, observe::Figure>>& figures) {
-  const auto found = std::ranges::find(figures, std::string("energy_work"), [](const auto& figure) { return figure.first; });
-  if (found == figures.end()) return 0;
-  return std::visit([](auto number) { return std::abs(static_cast<Real>(number)); }, found->second);
+  Real sum = 0;
+  for (const auto& [name, value] : figures)
+    if (name.starts_with("energy_work"))
+      sum += std::visit([](auto number) { return std::abs(static_cast<Real>(number)); }, value);
+  return sum;
 }
 
 }  // namespace
@@ -185,5 +187,7 @@ template class HybridRecord<3, CoupledSpheres>;
 template class HybridRecord<2, CoupledRectangles>;
 template class HybridRecord<2, CoupledBlocks>;
 template class HybridRecord<3, CoupledBlocks>;
+template class HybridRecord<2, CoupledGround<2>>;
+template class HybridRecord<3, CoupledGround<3>>;
 
 }  // namespace sazare::runs

@@ -64,5 +64,7 @@ extern template class HybridRecord<3, CoupledSpheres>;
 extern template class HybridRecord<2, CoupledRectangles>;
 extern template class HybridRecord<2, CoupledBlocks>;
 extern template class HybridRecord<3, CoupledBlocks>;
+extern template class HybridRecord<2, CoupledGround<2>>;
+extern template class HybridRecord<3, CoupledGround<3>>;
 
 }  // namespace sazare::runs

@@ -39,6 +39,10 @@ private:
   levels::PartTime* part_;
 };
 
+Eigen::Map<const Eigen::VectorXd> vector_of(const std::vector<Real>& values) {
+  return {values.data(), static_cast<Eigen::Index>(values.size())};
+}
+
 /// The two sides of a case, ready to begin or to be resumed.
 template <int D, class Bodies>
 struct HybridModel {
@@ -116,12 +120,37 @@ struct HybridWork final : WorkDefaults {
   Real checkpoint_interval() const { return file.as<cases::HybridCase>().output.checkpoint_interval; }
 
   bool start() {
-    if (continuum_content().gravity.settle) model.continuum.stepper->relax();
-    model.continuum.stepper->start();
+    const bool rests = continuum_content().gravity.settle;
+    const auto unloaded = model.continuum.stepper->state();
+    if (rests) model.continuum.stepper->relax();
     model.attach(file);
     if (!model.bodies.prepare(options)) return false;
+    if constexpr (requires { model.bodies.settles(); })
+      if (rests && model.bodies.settles() && !settle_together(unloaded)) return false;
+    model.continuum.stepper->start();
     model.continuum_side.start(model.bodies.side.start());
     return true;
+  }
+
+  /// The equilibrium of both sides: that of the continuum with the force of the bodies on it, and that of the bodies on the
+  /// surface where it then stands, in turns. False when asked to stop.
+  bool settle_together(const methods::hybrid::ContinuumState<D>& unloaded) {
+    constexpr Real least_change = 1e-4;  // of the force
+    constexpr int most_turns = 30;
+    std::vector<Real> before;
+    for (int turn = 0; turn < most_turns; ++turn) {
+      const std::vector<Real> force = model.bodies.side.force().last;
+      if (!before.empty() && (vector_of(force) - vector_of(before)).norm() <= least_change * vector_of(force).norm()) return true;
+      model.continuum.stepper->restore(unloaded);
+      model.continuum.stepper->relax(model.continuum_side.on_nodes(force));
+      model.bodies.side.move_to(model.continuum_side.shape());
+      if (!model.bodies.prepare(options)) return false;
+      before = force;
+    }
+    throw PhysicsError(
+        fmt::format("no equilibrium of both sides: after {} turns the force between them still changes by more than {} of it\n"
+                    "  is the continuum held, and the ground stable? Without settle on one side, both begin as they are",
+                    most_turns, cases::short_number(least_change)));
   }
   bool advance(const Pause&) {
     TimedChannel channel(model.bodies.side, times, parts[1]);
@@ -207,14 +236,18 @@ std::string check(const cases::CaseFile& file, const std::filesystem::path& fold
                                   model.bodies.side.steps_per_window(), Bodies::name, number(model.bodies.step(), 5)));
 }
 
-/// Calls `visit` with the dimension and the bodies of a case, and hands back what it gives. Elements of rectangles touch none but
-/// a continuum in the plane; the case has been checked.
+/// Calls `visit` with the dimension and the bodies of a case, and hands back what it gives. The case has been checked: bodies
+/// that do not meet a continuum of one dimension meet one of the other.
 template <class Visit>
 auto visit_sides(const cases::HybridCase& hybrid, const Visit& visit) {
   return visit_bodies(hybrid, [&]<class Bodies>(std::type_identity<Bodies> bodies) {
-    if constexpr (!std::is_same_v<Bodies, CoupledRectangles>)
-      if (cases::continuum_of(hybrid).mesh.dimension == 3) return visit(std::integral_constant<int, 3>{}, bodies);
-    return visit(std::integral_constant<int, 2>{}, bodies);
+    if constexpr (!Bodies::meets(2))
+      return visit(std::integral_constant<int, 3>{}, bodies);
+    else {
+      if constexpr (Bodies::meets(3))
+        if (cases::continuum_of(hybrid).mesh.dimension == 3) return visit(std::integral_constant<int, 3>{}, bodies);
+      return visit(std::integral_constant<int, 2>{}, bodies);
+    }
   });
 }
 
@@ -230,12 +263,12 @@ std::unique_ptr<LiveRun> open_hybrid(const cases::CaseFile& file, const RunOptio
 }
 
 std::string check_hybrid(const cases::CaseFile& file) {
-  const cases::CaseFile &continuum = *file.as<cases::HybridCase>().continuum, &bodies = *file.as<cases::HybridCase>().bodies;
+  const auto& hybrid = file.as<cases::HybridCase>();
   const std::string both = visit_sides(
       file.as<cases::HybridCase>(), [&]<int D, class Bodies>(std::integral_constant<int, D>, std::type_identity<Bodies>) {
         return check_with_meshes([&](const std::filesystem::path& folder) { return check<D, Bodies>(file, folder); });
       });
-  return both + "\n" + check_continuum(continuum) + "\n" + check_bodies(bodies, *continuum.as<cases::ContinuumCase>().time.step);
+  return both + "\n" + check_continuum(*hybrid.continuum) + "\n" + check_bodies(hybrid);
 }
 
 }  // namespace sazare::runs

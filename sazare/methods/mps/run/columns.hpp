@@ -23,6 +23,9 @@ inline constexpr std::array failure = {Column{"energy_plastic", "J", "dissipated
                                        Column{"energy_fracture", "J", "elastic energy lost when links break"},
                                        Column{"energy_contact", "J", "dissipated by contacts and by the damping of broken ground"}, Column{"broken_links", "-", "so far"},
                                        Column{"contacts", "-", "now"}};
+inline constexpr std::array surface = {Column{"energy_work_surface", "J", "work of the coupling surface on the ground"},
+                                       Column{"energy_surface_contact", "J", "dissipated by friction and dashpots on it"},
+                                       Column{"surface_contacts", "-", "particles that touch it now"}};
 inline constexpr std::array particles = {Column{"displacement", "m", "since the beginning"},
                                          Column{"velocity", "m/s", ""},
                                          Column{"acceleration", "m/s2", ""},
@@ -34,12 +37,15 @@ inline constexpr std::array failed_particles = {Column{"plastic_shear_strain", "
                                                 Column{"broken_fraction", "-", "share of its links that are broken"}};
 
 /// In the manifest, `results` by name: an interface, which scripts of users read.
-inline constexpr std::array figures = {Column{"particles", "-", ""},
-                                   Column{"particle_steps", "-", ""},
-                                   Column{"largest_frequency", "rad/s", "from which the stability limit is predicted"},
-                                   Column{"settlement", "m", "largest displacement to equilibrium under gravity, where found"},
-                                   Column{"broken_links", "-", "of ground with a strength"},
-                                   Column{"drift_velocity_NAME", "m/s", "at the end of a motion given by accelerations"},
-                                   Column{"drift_displacement_NAME", "m", "at the end of a motion given by accelerations"}};
+inline constexpr std::array figures = {
+    Column{"particles", "-", ""},
+    Column{"particle_steps", "-", ""},
+    Column{"largest_frequency", "rad/s", "from which the stability limit is predicted"},
+    Column{"settlement", "m", "largest displacement to equilibrium under gravity, where found"},
+    Column{"broken_links", "-", "of ground with a strength"},
+    Column{"energy_work_surface", "J", "work of the coupling surface on the ground, of a side of a hybrid case"},
+    Column{"energy_surface_contact", "J", "dissipated by friction and dashpots on it"},
+    Column{"drift_velocity_NAME", "m/s", "at the end of a motion given by accelerations"},
+    Column{"drift_displacement_NAME", "m", "at the end of a motion given by accelerations"}};
 
 }  // namespace sazare::runs::columns::mps

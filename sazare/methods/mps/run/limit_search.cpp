@@ -49,7 +49,8 @@ private:
     if (++found_.trials > most_trials)
       throw UserError(fmt::format("{}: no stability limit was found in {} trials; the last step was {} s", file_.path.string(),
                                   most_trials, cases::short_number(step)));
-    const auto stepper = parts_.stepper(file_.as<cases::MpsCase>(), step);
+    const auto& mps = file_.as<cases::MpsCase>();
+    const auto stepper = parts_.stepper(mps, step, parts_.forces(mps, step));
     stepper->start();
     const auto steps =
         rules_.steps > 0 ? rules_.steps : static_cast<std::int64_t>(std::ceil(file_.as<cases::MpsCase>().time.end / step));

@@ -28,7 +28,8 @@ FolderTables tables_of_mps() {
   return {.figures = {{"`mps`", {figures::of_steps, figures::of_particles, columns::mps::figures}}},
           .history = {{"`mps`", {columns::mps::motion}},
                       {"`mps`, not with Euler's step", {columns::mps::energy_balance}},
-                      {"`mps`, ground that fails", {columns::mps::failure}}},
+                      {"`mps`, ground that fails", {columns::mps::failure}},
+                      {"`mps`, in a hybrid case", {columns::mps::surface}}},
           .gauges = {{"`gauges.csv` of `mps`", {columns::place_motion}}},
           .files = {},
           .snapshots = {{"`particles` of `mps`", {columns::mps::particles}},
@@ -40,7 +41,7 @@ FolderTables tables_of_mps() {
 Method mps_method() {
   return {.format = cases::mps_format(),
           .open = open_mps,
-          .check = check_mps,
+          .check = [](const cases::CaseFile& file) { return check_mps(file); },
           .summary = mps_summary,
           .tables = tables_of_mps,
           .find_limit = find_limit};

@@ -230,9 +230,9 @@ void check_limit(const cases::CaseFile& file, Real limit) {
            "one of density, wave velocities, damping and spacing is too large or too small to be meant so: check their units");
 }
 
-/// The step of a run, which divides the history interval.
+/// The step of a run, which divides the history interval, or the shorter windows of a coupling.
 template <int D>
-Real choose_step(const cases::CaseFile& file, const MpsModel<D>& model) {
+Real choose_step(const cases::CaseFile& file, const MpsModel<D>& model, const std::optional<MpsCoupling>& coupling) {
   const cases::UniformTime& time = file.as<cases::MpsCase>().time;
   const Real limit = model.stable_step(time.integrator);
   check_limit(file, limit);
@@ -240,7 +240,8 @@ Real choose_step(const cases::CaseFile& file, const MpsModel<D>& model) {
   if (!(limit > 0))
     refuse(file, "time.integrator", "Euler's step without damping is never stable, so no step can be chosen",
            "give a step, use integrator \"verlet\", or give every material a damping_ratio");
-  return time.history_interval / std::ceil(time.history_interval / (time.stability_fraction * limit));
+  const Real interval = coupling ? coupling->window : time.history_interval;
+  return interval / std::ceil(interval / (time.stability_fraction * limit));
 }
 
 /// Refuses a step above the limit, and warns of one that is close to it.
@@ -308,24 +309,53 @@ std::unique_ptr<particles::ParticleForces<D>> MpsParts<D>::forces(const cases::M
 }
 
 template <int D>
-std::unique_ptr<particles::UniformStepper<D>> MpsParts<D>::stepper(const cases::MpsCase& mps, Real step) const {
+std::unique_ptr<particles::UniformStepper<D>> MpsParts<D>::stepper(const cases::MpsCase& mps, Real step,
+                                                                   std::unique_ptr<particles::ParticleForces<D>> forces) const {
   const particles::UniformRules rules{step, static_cast<particles::Integrator>(mps.time.integrator), damping};
-  return std::make_unique<particles::UniformStepper<D>>(particles, forces(mps, step), supports, rules);
+  return std::make_unique<particles::UniformStepper<D>>(particles, std::move(forces), supports, rules);
 }
 
+namespace {
+
+/// P-wave velocity of the ground by particle [m/s].
+std::vector<Real> p_wave_velocities(const cases::MpsCase& mps, const std::vector<Index>& material) {
+  std::vector<Real> velocity;
+  for (const Index ground : material) velocity.push_back(mps.materials[static_cast<std::size_t>(ground)].p_wave_velocity);
+  return velocity;
+}
+
+/// What the contacts with a surface give a particle at most over its mass, where it lies between two faces [1/s2].
+Real square_of_contacts(const std::vector<Real>& p_wave_velocity, Real spacing) {
+  return 2 * methods::mps::stiffness_over_mass(std::ranges::max(p_wave_velocity), spacing);
+}
+
+}  // namespace
+
 template <int D>
-MpsModel<D> build_mps(const cases::CaseFile& file) {
+MpsModel<D> build_mps(const cases::CaseFile& file, const std::optional<MpsCoupling>& coupling) {
+  const auto& mps = file.as<cases::MpsCase>();
   const MpsParts<D> parts = make_parts<D>(file);
   MpsModel<D> model;
   model.limit = parts.predict();
+  const std::vector<Real> velocity = p_wave_velocities(mps, parts.material);
+  if (coupling)
+    model.limit = methods::mps::with_outside_springs(model.limit, square_of_contacts(velocity, parts.particles.spacing));
   model.number_density = parts.links.number_density;
   model.filling = parts.filling;
   model.material = parts.material;
   model.sides = parts.sides;
-  model.step = choose_step<D>(file, model);
-  model.warning = check_step<D>(file, model) + warn_of_loose_parts<D>(file, parts);
-  model.stepper = parts.stepper(file.as<cases::MpsCase>(), model.step);
-  model.failing = dynamic_cast<const methods::mps::FailingForces<D>*>(&model.stepper->forces());
+  model.step = choose_step<D>(file, model, coupling);
+  model.warning = check_step<D>(file, model);
+  if (!coupling) model.warning += warn_of_loose_parts<D>(file, parts);  // else the surface may hold them
+  std::unique_ptr<particles::ParticleForces<D>> forces = parts.forces(mps, model.step);
+  model.failing = dynamic_cast<const methods::mps::FailingForces<D>*>(forces.get());
+  if (coupling) {
+    const methods::mps::SurfaceRules rules{model.step, mps.contact.damping_ratio, coupling->friction};
+    auto at_surface = std::make_unique<methods::mps::GroundAtSurface<D>>(std::move(forces), model.failing, velocity, rules);
+    model.at_surface = at_surface.get();
+    forces = std::move(at_surface);
+  }
+  model.stepper = parts.stepper(mps, model.step, std::move(forces));
   return model;
 }
 
@@ -333,7 +363,7 @@ template struct MpsParts<2>;
 template struct MpsParts<3>;
 template MpsParts<2> make_parts<2>(const cases::CaseFile&);
 template MpsParts<3> make_parts<3>(const cases::CaseFile&);
-template MpsModel<2> build_mps<2>(const cases::CaseFile&);
-template MpsModel<3> build_mps<3>(const cases::CaseFile&);
+template MpsModel<2> build_mps<2>(const cases::CaseFile&, const std::optional<MpsCoupling>&);
+template MpsModel<3> build_mps<3>(const cases::CaseFile&, const std::optional<MpsCoupling>&);
 
 }  // namespace sazare::runs

@@ -3,16 +3,24 @@
 /// From a checked case of method mps to particles that can be stepped.
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "sazare/cases/case_file.hpp"
 #include "sazare/methods/mps/case/case.hpp"
 #include "sazare/methods/mps/failing_forces.hpp"
+#include "sazare/methods/mps/ground_at_surface.hpp"
 #include "sazare/methods/mps/run/filling.hpp"
 #include "sazare/methods/mps/stable_step.hpp"
 #include "sazare/particles/uniform_stepper.hpp"
 
 namespace sazare::runs {
+
+/// What a coupling asks of the ground.
+struct MpsCoupling {
+  Real window = 0;    ///< which a step that the case does not give divides [s]
+  Real friction = 0;  ///< between ground and surface [-]
+};
 
 template <int D>
 struct MpsModel {
@@ -24,7 +32,8 @@ struct MpsModel {
   std::vector<std::string> sides;  ///< what each boundary holds, ready to print
   std::string warning;             ///< about the step, ready to print; empty when there is none
   std::unique_ptr<particles::UniformStepper<D>> stepper;
-  const methods::mps::FailingForces<D>* failing = nullptr;  ///< the stepper's forces, where the ground has a strength
+  const methods::mps::FailingForces<D>* failing = nullptr;  ///< of the stepper's forces, where the ground has a strength
+  methods::mps::GroundAtSurface<D>* at_surface = nullptr;   ///< the stepper's forces, in a coupling
 
   /// The predicted limit of the case's integrator [s].
   Real stable_step(cases::Integrator integrator) const {
@@ -45,7 +54,8 @@ struct MpsParts {
 
   methods::mps::StableStep predict() const { return methods::mps::stable_step<D>(particles, links, supports, damping); }
   std::unique_ptr<particles::ParticleForces<D>> forces(const cases::MpsCase& mps, Real step) const;
-  std::unique_ptr<particles::UniformStepper<D>> stepper(const cases::MpsCase& mps, Real step) const;
+  std::unique_ptr<particles::UniformStepper<D>> stepper(const cases::MpsCase& mps, Real step,
+                                                        std::unique_ptr<particles::ParticleForces<D>> forces) const;
 };
 
 /// Throws UserError when the case does not fit its particles.
@@ -54,13 +64,13 @@ MpsParts<D> make_parts(const cases::CaseFile& file);
 
 /// Builds the model and chooses the step, or throws UserError when the one given is above the predicted limit.
 template <int D>
-MpsModel<D> build_mps(const cases::CaseFile& file);
+MpsModel<D> build_mps(const cases::CaseFile& file, const std::optional<MpsCoupling>& coupling = std::nullopt);
 
 extern template struct MpsParts<2>;
 extern template struct MpsParts<3>;
 extern template MpsParts<2> make_parts<2>(const cases::CaseFile&);
 extern template MpsParts<3> make_parts<3>(const cases::CaseFile&);
-extern template MpsModel<2> build_mps<2>(const cases::CaseFile&);
-extern template MpsModel<3> build_mps<3>(const cases::CaseFile&);
+extern template MpsModel<2> build_mps<2>(const cases::CaseFile&, const std::optional<MpsCoupling>&);
+extern template MpsModel<3> build_mps<3>(const cases::CaseFile&, const std::optional<MpsCoupling>&);
 
 }  // namespace sazare::runs

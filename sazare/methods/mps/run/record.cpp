@@ -68,6 +68,7 @@ std::vector<RecordFiles::Table> MpsRecord<D>::tables() const {
   observe::add_titles(history, columns::mps::motion);
   if (has_energy_balance()) observe::add_titles(history, columns::mps::energy_balance);
   if (model_->failing != nullptr) observe::add_titles(history, columns::mps::failure);
+  if (model_->at_surface != nullptr) observe::add_titles(history, columns::mps::surface);
   observe::add_titles(history, columns::clock);
   observe::add_titles(gauges, columns::time);
   for (const cases::Gauge& gauge : file_->as<cases::MpsCase>().gauges)
@@ -109,6 +110,8 @@ void MpsRecord<D>::observe(std::int64_t step, Real wall_seconds) {
     history.insert(history.end(), {work.flow, work.rupture, work.contact, static_cast<Real>(failing->broken_links()),
                                    static_cast<Real>(failing->contacts())});
   }
+  if (const auto* touched = surface())
+    history.insert(history.end(), {touched->work(), touched->dissipated(), static_cast<Real>(touched->touching())});
   history.push_back(wall_seconds);
   files_.add_row(0, history);
   displacement_ = displacement;
@@ -138,6 +141,7 @@ void MpsRecord<D>::close_energy_balance(bool at_beginning) {
     const auto lost = failing->work();
     carried += lost.flow + lost.rupture + lost.contact;
   }
+  if (surface() != nullptr) carried += surface()->dissipated() - surface()->work();
   if (at_beginning) energy_at_beginning_ = carried;
   residual_ = energy_at_beginning_ + work_.sum() - carried;
 }
@@ -224,6 +228,8 @@ std::vector<std::pair<std::string, observe::Figure>> MpsRecord<D>::results(std::
                                    {"energy_fracture", work.rupture},
                                    {"energy_contact", work.contact}});
   }
+  if (const auto* touched = surface())
+    results.insert(results.end(), {{"energy_work_surface", touched->work()}, {"energy_surface_contact", touched->dissipated()}});
   for (const cases::Motion& motion : file_->as<cases::MpsCase>().motions) {
     if (motion.type != cases::MotionShape::record || motion.quantity != laws::MotionQuantity::acceleration) continue;
     results.emplace_back(fmt::format("drift_velocity_{}", motion.name), motion.amplitude * motion.record.first.back());

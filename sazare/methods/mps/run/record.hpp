@@ -31,6 +31,8 @@ public:
   std::vector<std::pair<std::string, observe::Figure>> results(std::int64_t step, Real wall_seconds) const;
   std::vector<std::pair<std::string, Real>> peak_particle_velocity() const;
   std::uint64_t state_hash() const;
+  /// As of the last row [J; J/m in 2-D].
+  Real energy_residual() const { return residual_; }
 
   void columns(Archive& archive);
 
@@ -39,6 +41,9 @@ private:
   Vector3 displacement_of(std::size_t i) const;    ///< since the beginning [m]
   Real settlement() const;                         ///< largest displacement to equilibrium under gravity [m]
   bool has_energy_balance() const { return file_->as<cases::MpsCase>().time.integrator != cases::Integrator::euler; }
+  const methods::mps::SurfaceContacts<D>* surface() const {
+    return model_->at_surface != nullptr ? model_->at_surface->surface() : nullptr;
+  }
   const std::vector<std::int32_t>& supported();
   void close_energy_balance(bool at_beginning);
   void write_snapshot(Real time, const state::FreedomColumns<D>& velocity, const state::FreedomColumns<D>& acceleration);

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <optional>
 #include <span>
 
 #include "sazare/cases/explanation.hpp"
@@ -11,8 +9,8 @@
 #include "sazare/methods/mps/case/format.hpp"
 #include "sazare/methods/mps/run/identity.hpp"
 #include "sazare/methods/mps/run/record.hpp"
+#include "sazare/methods/mps/run/settle.hpp"
 #include "sazare/observe/atomic_file.hpp"
-#include "sazare/observe/hash.hpp"
 #include "sazare/runs/case_run.hpp"
 #include "sazare/runs/cost.hpp"
 #include "sazare/runs/particle_rows.hpp"
@@ -23,19 +21,8 @@ namespace {
 
 constexpr int particles_per_thread = 4000;  // with fewer a second thread takes more time than it saves
 constexpr std::int64_t motion_check_steps = 32;
-constexpr std::int64_t relaxation_check_steps = 50;
-constexpr Real relaxed_share = 1e-5;   // of gravity
-constexpr Real creeping_share = 1e-4;  // of gravity: ground close to its strength creeps for long, and does not slide
 
 using cases::line, cases::number;
-
-template <int D>
-std::string filling_hash(const Filling<D>& filling) {
-  observe::Hash hash;
-  hash.add(std::as_bytes(std::span(filling.sites)));
-  hash.add(std::as_bytes(std::span(filling.region)));
-  return observe::to_hex(hash.value());
-}
 
 /// The part of method mps in a run, see CaseRun.
 template <int D>
@@ -74,71 +61,9 @@ struct MpsWork final : WorkDefaults {
   Real checkpoint_interval() const { return file.as<cases::MpsCase>().output.checkpoint_interval; }
 
   bool start() {
-    if (file.as<cases::MpsCase>().gravity.settle && !relax()) return false;
+    if (!settle<D>(file.as<cases::MpsCase>(), model, options)) return false;
     model.stepper->start();
     return true;
-  }
-
-  /// False when asked to stop before the equilibrium under gravity is reached.
-  bool relax() {
-    const Real tolerance = relaxed_share * file.as<cases::MpsCase>().gravity.acceleration.norm();
-    if (!options.quiet) fmt::print("finding the equilibrium under gravity\n");
-    std::map<Index, Vector<D>> broke_at;
-    std::optional<Index> slides;
-    std::fflush(stdout);
-    Progress progress(options.quiet, {.smallest_step = model.step, .broken_joints = -1, .evaluated = "particle-steps"});
-    Real first = 0;
-    bool asked = false;
-    const auto goes_on = [&](std::int64_t done, Real left) {
-      first = std::max(first, left);
-      // What is left falls by about the same factor in equal times.
-      if (progress.is_due())
-        progress.show(
-            {std::log(first / left) / std::log(first / tolerance), 0, done * particles(), model.step, -1, "particle-steps"});
-      asked = options.stop_asked != nullptr && options.stop_asked->load(std::memory_order_relaxed);
-      if (done % relaxation_check_steps == 0) slides = find_slide(broke_at);
-      return !asked && !slides;
-    };
-    const Real left = model.stepper->relax({tolerance, file.as<cases::MpsCase>().gravity.max_settling_steps, goes_on});
-    if (asked) return false;
-    if (!slides) slides = find_slide(broke_at);
-    if (slides)
-      throw PhysicsError(fmt::format(
-          "no equilibrium under gravity: the ground at {} broke and has moved by more than a spacing since\n"
-          "  the ground slides under its own weight: check its strength and its shape, or run it without settle to see the slide",
-          place_words(*slides)));
-    if (left <= tolerance) return true;
-    const std::string after =
-        fmt::format("after {} steps an acceleration of {} m/s2 remains, {} is required",
-                    file.as<cases::MpsCase>().gravity.max_settling_steps, number(left, 3), number(tolerance, 3));
-    if (left <= creeping_share / relaxed_share * tolerance) {
-      if (!options.quiet) fmt::print("the equilibrium under gravity is all but reached: {}\n", after);
-      return true;
-    }
-    throw PhysicsError(
-        fmt::format("no equilibrium under gravity: {}\n"
-                    "  the ground is not stable, or hardly supported: check its strength and the boundaries that support it",
-                    after));
-  }
-
-  /// A particle that has moved by more than a spacing since it broke, to which broken ones are added.
-  std::optional<Index> find_slide(std::map<Index, Vector<D>>& broke_at) const {
-    if (model.failing == nullptr) return {};
-    const auto& particles = model.stepper->particles();
-    for (const Index particle : model.failing->gathered().particles()) {
-      Vector<D> now;
-      for (std::size_t axis = 0; axis < D; ++axis) now[static_cast<int>(axis)] = particles.displacement[axis][at(particle)];
-      const auto [found, is_new] = broke_at.try_emplace(particle, now);
-      if (!is_new && (now - found->second).norm() > particles.spacing) return particle;
-    }
-    return {};
-  }
-
-  std::string place_words(Index particle) const {
-    const Vector<D> place = model.filling.place(at(particle));
-    std::string text = "(";
-    for (int axis = 0; axis < D; ++axis) text += (axis > 0 ? ", " : "") + number(place[axis]);
-    return text + ") m";
   }
 
   bool advance(const Pause&) {
@@ -210,8 +135,8 @@ std::string cost_text(const cases::MpsCase& mps, Real particles, const RunClocks
 }
 
 template <int D>
-std::string check(const cases::CaseFile& file) {
-  const MpsModel<D> model = build_mps<D>(file);
+std::string check(const cases::CaseFile& file, const std::optional<MpsCoupling>& coupling) {
+  const MpsModel<D> model = build_mps<D>(file, coupling);
   gauge_particles<D>(file, model.filling);
   const RunClocks clocks = make_clocks(file, file.as<cases::MpsCase>().time, "step", model.step);
   const Real limit = model.stable_step(file.as<cases::MpsCase>().time.integrator);
@@ -240,8 +165,8 @@ std::unique_ptr<LiveRun> open_mps(const cases::CaseFile& file, const RunOptions&
   return std::make_unique<CaseRun<MpsWork<3>>>(file, options);
 }
 
-std::string check_mps(const cases::CaseFile& file) {
-  return file.as<cases::MpsCase>().particles.dimension == 2 ? check<2>(file) : check<3>(file);
+std::string check_mps(const cases::CaseFile& file, const std::optional<MpsCoupling>& coupling) {
+  return file.as<cases::MpsCase>().particles.dimension == 2 ? check<2>(file, coupling) : check<3>(file, coupling);
 }
 
 }  // namespace sazare::runs

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "sazare/cases/case_file.hpp"
+#include "sazare/methods/mps/run/model.hpp"
 #include "sazare/runs/live_run.hpp"
 
 namespace sazare::runs {
@@ -12,7 +14,7 @@ namespace sazare::runs {
 /// MachineError.
 std::unique_ptr<LiveRun> open_mps(const cases::CaseFile& file, const RunOptions& options);
 
-/// What a case will do, in words. Throws UserError with everything that is wrong.
-std::string check_mps(const cases::CaseFile& file);
+/// What a case will do, alone or in a coupling, in words. Throws UserError with everything that is wrong.
+std::string check_mps(const cases::CaseFile& file, const std::optional<MpsCoupling>& coupling = std::nullopt);
 
 }  // namespace sazare::runs

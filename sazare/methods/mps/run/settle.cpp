@@ -1,0 +1,104 @@
+#include "sazare/methods/mps/run/settle.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "sazare/cases/format/number_text.hpp"
+#include "sazare/core/error.hpp"
+#include "sazare/runs/progress.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+constexpr std::int64_t check_steps = 50;
+constexpr Real relaxed_share = 1e-5;   // of gravity
+constexpr Real creeping_share = 1e-4;  // of gravity: ground close to its strength creeps for long, and does not slide
+
+using cases::short_number;
+
+template <int D>
+std::string place_words(const MpsModel<D>& model, Index particle) {
+  const Vector<D> place = model.filling.place(at(particle));
+  std::string text = "(";
+  for (int axis = 0; axis < D; ++axis) text += (axis > 0 ? ", " : "") + short_number(place[axis]);
+  return text + ") m";
+}
+
+/// Looks for ground that has broken and slides since.
+template <int D>
+class SlideSearch {
+public:
+  explicit SlideSearch(const MpsModel<D>& model) : model_(&model) {}
+
+  /// A particle that has moved by more than a spacing since it broke.
+  std::optional<Index> find() {
+    if (model_->failing == nullptr) return {};
+    const auto& particles = model_->stepper->particles();
+    for (const Index particle : model_->failing->gathered().particles()) {
+      Vector<D> now;
+      for (std::size_t axis = 0; axis < D; ++axis) now[static_cast<int>(axis)] = particles.displacement[axis][at(particle)];
+      const auto [found, is_new] = broke_at_.try_emplace(particle, now);
+      if (!is_new && (now - found->second).norm() > particles.spacing) return particle;
+    }
+    return {};
+  }
+
+private:
+  const MpsModel<D>* model_;
+  std::map<Index, Vector<D>> broke_at_;  ///< displacement when first found broken [m]
+};
+
+}  // namespace
+
+template <int D>
+bool settle(const cases::MpsCase& mps, MpsModel<D>& model, const RunOptions& options) {
+  if (!mps.gravity.settle) return true;
+  const Real tolerance = relaxed_share * mps.gravity.acceleration.norm();
+  const auto particles = static_cast<std::int64_t>(model.filling.sites.size());
+  if (!options.quiet) fmt::print("finding the equilibrium under gravity\n");
+  std::fflush(stdout);
+  SlideSearch<D> search(model);
+  std::optional<Index> slides;
+  Progress progress(options.quiet, {.smallest_step = model.step, .broken_joints = -1, .evaluated = "particle-steps"});
+  Real first = 0;
+  bool asked = false;
+  const auto goes_on = [&](std::int64_t done, Real left) {
+    first = std::max(first, left);
+    // What is left falls by about the same factor in equal times.
+    if (progress.is_due())
+      progress.show(
+          {std::log(first / left) / std::log(first / tolerance), 0, done * particles, model.step, -1, "particle-steps"});
+    asked = options.stop_asked != nullptr && options.stop_asked->load(std::memory_order_relaxed);
+    if (done % check_steps == 0) slides = search.find();
+    return !asked && !slides;
+  };
+  const Real left = model.stepper->relax({tolerance, mps.gravity.max_settling_steps, goes_on});
+  if (asked) return false;
+  if (!slides) slides = search.find();
+  if (slides)
+    throw PhysicsError(fmt::format(
+        "no equilibrium under gravity: the ground at {} broke and has moved by more than a spacing since\n"
+        "  the ground slides under its own weight: check its strength and its shape, or run it without settle to see the slide",
+        place_words<D>(model, *slides)));
+  if (left <= tolerance) return true;
+  const std::string after = fmt::format("after {} steps an acceleration of {} m/s2 remains, {} is required",
+                                        mps.gravity.max_settling_steps, short_number(left, 3), short_number(tolerance, 3));
+  if (left <= creeping_share / relaxed_share * tolerance) {
+    if (!options.quiet) fmt::print("the equilibrium under gravity is all but reached: {}\n", after);
+    return true;
+  }
+  throw PhysicsError(
+      fmt::format("no equilibrium under gravity: {}\n"
+                  "  the ground is not stable, or hardly supported: check its strength and the boundaries that support it",
+                  after));
+}
+
+template bool settle<2>(const cases::MpsCase&, MpsModel<2>&, const RunOptions&);
+template bool settle<3>(const cases::MpsCase&, MpsModel<3>&, const RunOptions&);
+
+}  // namespace sazare::runs

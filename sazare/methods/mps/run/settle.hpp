@@ -1,0 +1,18 @@
+#pragma once
+
+/// The equilibrium of ground under gravity, before a run begins.
+
+#include "sazare/methods/mps/run/model.hpp"
+#include "sazare/runs/run_options.hpp"
+
+namespace sazare::runs {
+
+/// Finds it where the case asks for it; a surface that the ground meets stands still meanwhile. False when asked to stop before
+/// it is reached. Throws PhysicsError where the ground slides, or does not come to rest.
+template <int D>
+bool settle(const cases::MpsCase& mps, MpsModel<D>& model, const RunOptions& options);
+
+extern template bool settle<2>(const cases::MpsCase&, MpsModel<2>&, const RunOptions&);
+extern template bool settle<3>(const cases::MpsCase&, MpsModel<3>&, const RunOptions&);
+
+}  // namespace sazare::runs
