@@ -113,6 +113,30 @@ TEST(run_mps, tells_of_parts_that_nothing_holds) {
   EXPECT_NE(whole.find("ground: P 200 m/s, S 100 m/s; S waves of 10 Hz are ten times 1 m long"), std::string::npos) << whole;
 }
 
+/// Whether check warns that a slope of this spacing is too coarse to judge its rest.
+bool is_coarse(const std::string& spacing, const std::string& top, const std::string& settle, const std::string& strength) {
+  const std::string text =
+      "[case]\ntitle = \"slope\"\nmethod = \"mps\"\n[particles]\nspacing = " + spacing + "\nfit = \"inside\"\n" +
+      "[[regions]]\nname = \"soil\"\nshape = \"polygon\"\npoints = [[0, 0], [40, 0], [40, " + top + "], [10, " + top +
+      "], [0, 0]]\n[[materials]]\nname = \"ground\"\nregions = [\"soil\"]\ndensity = 1800.0\ns_wave_velocity = 100.0\n"
+      "p_wave_velocity = 200.0\n" +
+      strength +
+      "[[boundaries]]\nside = \"bottom\"\nkind = \"fixed\"\n"
+      "[gravity]\nacceleration = [0.0, -9.81, 0.0]\nsettle = " +
+      settle + "\n[time]\nend = 0.1\nhistory_interval = 0.01\n";
+  return registry::check_case(registry::read_case_text(text, "case.toml")).find("so few bear more than their strength says") !=
+         std::string::npos;
+}
+
+TEST(run_mps, tells_of_slopes_that_are_too_coarse_to_judge_their_rest) {
+  const std::string strength = "cohesion = 10e3\nfriction_angle = 30.0\nrupture_strain = 0.1\n";
+  EXPECT_TRUE(is_coarse("0.5", "10", "true", strength));
+  EXPECT_FALSE(is_coarse("0.2", "10", "true", strength));
+  EXPECT_FALSE(is_coarse("0.5", "10", "false", strength));
+  EXPECT_FALSE(is_coarse("0.5", "10", "true", ""));
+  EXPECT_FALSE(is_coarse("0.5", "1", "true", strength));
+}
+
 /// A coarse slope in which links break.
 cases::CaseFile slope() {
   const std::vector<std::string> settings = {"particles.spacing=2", "materials.0.rupture_strain=2e-3", "time.end=3",

@@ -13,6 +13,7 @@
 #include "sazare/cases/motion_of_case.hpp"
 #include "sazare/methods/mps/case/fields.hpp"
 #include "sazare/methods/mps/elastic_forces.hpp"
+#include "sazare/methods/mps/run/coarse_slopes.hpp"
 #include "sazare/methods/mps/run/loose_parts.hpp"
 
 namespace sazare::runs {
@@ -345,7 +346,7 @@ MpsModel<D> build_mps(const cases::CaseFile& file, const std::optional<MpsCoupli
   model.material = parts.material;
   model.sides = parts.sides;
   model.step = choose_step<D>(file, model, coupling);
-  model.warning = check_step<D>(file, model);
+  model.warning = check_step<D>(file, model) + warn_of_coarse_slopes<D>(file, parts.filling);
   if (!coupling) model.warning += warn_of_loose_parts<D>(file, parts);  // else the surface may hold them
   std::unique_ptr<particles::ParticleForces<D>> forces = parts.forces(mps, model.step);
   model.failing = dynamic_cast<const methods::mps::FailingForces<D>*>(forces.get());
