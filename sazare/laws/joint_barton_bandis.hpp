@@ -22,9 +22,10 @@
 /// Min. Sci. 20, 1983. JRC and JCS by length: N. Barton, S. Bandis, Rock Joints (Loen), 1990.
 ///
 /// w and q are the memories of a vertex, besides the slip itself. The normal stress is the slope of an energy at any w. Slip
-/// takes the work against friction, the mean of the strength before and after, less the energy by which dilation compresses the
-/// joint. That is never negative: the dilation angle is that of the end of the slip, where it is below the angle of friction, as
-/// it is at the beginning; and between, the pressure lies below the straight line.
+/// takes the work of the shear stress on it, less that of the pressure on the dilation, each with the mean of the stress before
+/// and after: that is the work which the two sides do on the joint from one evaluation to the next and which it does not store,
+/// to second order, so the stress as last evaluated is a memory too. The stresses after a slip take energy, however far it goes:
+/// the dilation angle is that under the pressure of its end, which is below the angle of friction.
 ///
 /// Deviations: m begins with 0 instead of a share below 0, so that the residual friction is there at once and the springs alone
 /// make the first rise; loading and unloading follow one curve of closure; and slip dilates and wears in any direction.
@@ -174,9 +175,11 @@ struct RoughVertex {
   Real elastic[2];     ///< tangential displacement less the slip so far [m]
   Real compression;    ///< c [m]
   Real path;           ///< q [m]
-  Real slip[2]{};      ///< what is added to the slip [m]
-  Real dilation{};     ///< and to the dilation [m]
-  Real dissipation{};  ///< energy per area that this takes [J/m2]
+  Real shear_before[2]{};  ///< shear stress as last evaluated [Pa]
+  Real pressure_before{};  ///< and pressure [Pa]
+  Real slip[2]{};          ///< what is added to the slip [m]
+  Real dilation{};         ///< and to the dilation [m]
+  Real dissipation{};      ///< energy per area that this takes [J/m2]
 };
 
 /// The slip from a displacement e of the springs after which the shear stress is that which the joint bears, when each unit of it
@@ -225,13 +228,14 @@ inline bool slide(const JointClosure<Real>& closure, const RoughShear<Real>& law
     if (slope > 0) solve();  // by the pressure at the end, so that the dilation angle is below that of friction
     at.path += slip;
   }
-  const Real share = slip / e, stress = before > 0 ? law.stiffness * (e - slip) : 0;
   at.dilation = slope * slip;
-  at.dissipation = 0.5 * (strength + stress) * slip - (closing_energy(closure, pressure) - closing_energy(closure, before));
+  Real work = -0.5 * (at.pressure_before + pressure) * at.dilation;
   for (int axis = 0; axis < 2; ++axis) {
-    at.slip[axis] = at.elastic[axis] * share;
+    at.slip[axis] = at.elastic[axis] * (slip / e);
     at.elastic[axis] -= at.slip[axis];
+    work += 0.5 * (at.shear_before[axis] + law.stiffness * at.elastic[axis]) * at.slip[axis];
   }
+  at.dissipation = std::max(work, Real{0});  // below 0 only where one step goes from rest to far slip
   at.compression += at.dilation;
   return true;
 }

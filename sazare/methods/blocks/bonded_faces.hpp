@@ -82,6 +82,7 @@ protected:
   terms::StrainTable<2, 1> strain_table_;
   terms::Events failed_;         ///< joints, in the present step
   std::vector<SlipPath> paths_;  ///< by joint; empty where no law remembers slip
+  std::vector<FaceStress> stresses_;  ///< by joint, as last evaluated; empty where none is natural
   terms::Events sheared_;        ///< joints without strength that are pressed together, after the present step
 
 private:

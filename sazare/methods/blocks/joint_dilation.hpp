@@ -52,7 +52,12 @@ void slide(const JointParameters<Law, Lanes>& kind, int v, const LaneMask& may_s
     if (may_slip[lane] == 0) continue;
     const auto closure = lane_of<typename Law::template Tension<Real>>(kind.tension, lane);
     const auto rough = lane_of<typename Law::template Shear<Real>>(kind.shear, lane);
-    laws::RoughVertex vertex{{shear[0][lane], shear[1][lane]}, at.peak[v][lane] - at.opening[v][lane], at.path[v][lane]};
+    const LaneVector& before = at.stress[static_cast<std::size_t>(v)];
+    laws::RoughVertex vertex{.elastic = {shear[0][lane], shear[1][lane]},
+                             .compression = at.peak[v][lane] - at.opening[v][lane],
+                             .path = at.path[v][lane],
+                             .shear_before = {before[1][lane], before[2][lane]},
+                             .pressure_before = -before[0][lane]};
     if (!slide(closure, rough, vertex)) continue;
     for (std::size_t axis = 0; axis < 2; ++axis) {
       shear[axis][lane] = vertex.elastic[axis];
@@ -64,6 +69,13 @@ void slide(const JointParameters<Law, Lanes>& kind, int v, const LaneMask& may_s
     change.slip_work[lane] += at.vertex_area[lane] * vertex.dissipation;
     change.slipped[lane] = -1;
   }
+}
+
+/// Keeps the stress that the joints bear now.
+template <laws::DilatesBySlip Law>
+void note_stress(const JointParameters<Law, Lanes>& kind, const LaneVector& stress, FaceGeometry& at) {
+  for (std::size_t v = 0; v < vertex_count; ++v)
+    at.stress[v] = {{stress[static_cast<int>(v)], kind.shear.stiffness * at.shear[v][0], kind.shear.stiffness * at.shear[v][1]}};
 }
 
 /// What slips and parts, and the stress that remains; returns which joints have parted.

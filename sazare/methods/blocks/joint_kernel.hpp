@@ -56,6 +56,7 @@ std::array<LaneVector, vertex_count> spring_forces(const JointParameters<Law, La
   failed = LaneMask{};
   change.has_happened = any(changes);
   if (change.has_happened) failed = change_joints(kind, peak_before, strength, softened, stress, at, change);
+  if constexpr (laws::DilatesBySlip<Law>) note_stress(kind, stress, at);
   const Lanes area = select(failed, Lanes{}, -at.vertex_area), shear_area = area * kind.shear.stiffness;
   const auto force = [&](std::size_t v) {
     return LaneVector{{area * stress[static_cast<int>(v)], shear_area * at.shear[v][0], shear_area * at.shear[v][1]}};

@@ -145,16 +145,16 @@ TEST(natural_joint, any_path_balances) {
       const auto now = pair.forces()[1];
       work -= 0.5 * ((before.linear + now.linear).dot(way) + (before.angular + now.angular).dot(turn)) / steps;
       before = now;
-      const Real lost = pair.probe().energy_balance()[EnergyKind::slip];
-      ASSERT_GE(lost, dissipated - 1e-12) << leg << " " << step;
-      dissipated = lost;
       largest = std::max(largest, std::abs(work));
     }
+    const Real lost = pair.probe().energy_balance()[EnergyKind::slip];
+    EXPECT_GT(lost, dissipated) << leg;
+    dissipated = lost;
   }
   const auto balance = pair.probe().energy_balance();
   EXPECT_GT(balance[EnergyKind::slip], 0.1 * largest);
   EXPECT_EQ(balance[EnergyKind::fracture], 0);
-  EXPECT_NEAR(work, balance[EnergyKind::elastic] + dissipated, 5e-3 * largest);
+  EXPECT_NEAR(work, balance[EnergyKind::elastic] + dissipated, 1e-4 * largest);
 }
 
 TEST(natural_joint, opened_by_a_tenth_of_its_size_it_is_left_to_contact) {
@@ -230,21 +230,30 @@ TEST(natural_joint, has_the_same_bits_whoever_is_evaluated_beside_it) {
   EXPECT_GT(slipped, lane_count);
 }
 
-/// Two blocks run into each other and slide along their joint, and part again.
-TEST(natural_joint, a_run_closes_its_energy_balance) {
+/// Two blocks run into each other and slide along their joint, and part again; returns the residual of the balance over what slip
+/// has taken. Without an aperture dilation in one step is much of the compression of the springs.
+Real residual_of_run(Real step, bool closes) {
   auto blocks = test::two_block_case(true);
   blocks.joints[0] = natural_joint();
   blocks.joints[0].normal_damping = blocks.joints[0].shear_damping = 0;
+  if (!closes) *(blocks.joints[0].law_parameters.end() - own_numbers().size() + BartonBandis::joint_aperture) = std::nullopt;
   blocks.constraints.push_back({{"left", "right"}, {false, false, false}, {true, true, true}});
   test::move(blocks, "left", {2, -4, 0});
   test::move(blocks, "right", {-2, 4, 0.5});
-  blocks.time.base_step = 2e-8;
+  blocks.time.base_step = step;
   auto model = runs::build_blocks(blocks, test::two_blocks());
   model.simulation->start();
   while (model.simulation->now().seconds() < 4e-4) model.simulation->advance();
   const auto balance = model.simulation->energy_balance();
   EXPECT_GT(balance[EnergyKind::slip], 0);
-  EXPECT_LT(std::abs(balance.residual()), 1e-3 * std::abs(balance[EnergyKind::slip]));
+  return std::abs(balance.residual() / balance[EnergyKind::slip]);
+}
+
+TEST(natural_joint, a_run_closes_its_energy_balance_to_second_order) {
+  EXPECT_LT(residual_of_run(2e-8, true), 1e-5);
+  const Real coarse = residual_of_run(2e-8, false), fine = residual_of_run(5e-9, false);
+  EXPECT_LT(coarse, 1e-4);
+  EXPECT_LT(fine, coarse / 8) << "a quarter of the step, a sixteenth of the residual";
 }
 
 }  // namespace
