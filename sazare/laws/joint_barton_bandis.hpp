@@ -33,6 +33,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -238,6 +239,15 @@ inline bool slide(const JointClosure<Real>& closure, const RoughShear<Real>& law
   at.dissipation = std::max(work, Real{0});  // below 0 only where one step goes from rest to far slip
   at.compression += at.dilation;
   return true;
+}
+
+/// The share of a dashpot's stress that acts beside a shear stress: friction bounds what both bear together [Pa].
+inline Real damping_share(const std::array<Real, 2>& stress, const std::array<Real, 2>& dashpot, Real strength) {
+  const Real squared = dashpot[0] * dashpot[0] + dashpot[1] * dashpot[1], along = stress[0] * dashpot[0] + stress[1] * dashpot[1],
+             left = std::max(strength * strength - stress[0] * stress[0] - stress[1] * stress[1], Real{0});
+  if (squared + 2 * along <= left) return 1;
+  const Real root = std::sqrt(along * along + squared * left);
+  return along < 0 ? (root - along) / squared : left / std::max(root + along, std::numeric_limits<Real>::min());
 }
 
 /// K_ni [Pa/m] of a joint in its first cycle of loading, from its aperture [m]. Bandis, Lumsden and Barton, 1983.

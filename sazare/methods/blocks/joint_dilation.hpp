@@ -78,6 +78,28 @@ void note_stress(const JointParameters<Law, Lanes>& kind, const LaneVector& stre
     at.stress[v] = {{stress[static_cast<int>(v)], kind.shear.stiffness * at.shear[v][0], kind.shear.stiffness * at.shear[v][1]}};
 }
 
+/// Takes from the force of the dashpots of a vertex [N] what the joint does not bear: an open one has none, and along the face
+/// friction bounds springs and dashpots together.
+template <laws::DilatesBySlip Law>
+void limit_dashpots(const JointParameters<Law, Lanes>& kind, const FaceGeometry& at, std::size_t v, LaneVector& force) {
+  const auto i = static_cast<int>(v);
+  const LaneMask is_open = at.opening[i] > at.peak[i];
+  for (int axis = 0; axis < 3; ++axis) force[axis] = select(is_open, Lanes{}, force[axis]);
+  const LaneVector borne = at.vertex_area * at.stress[v];
+  const Lanes x = borne[1] - force[1], y = borne[2] - force[2], least = least_strength(kind.shear, -borne[0]);
+  const LaneMask may_be_over = x * x + y * y > least * least;
+  if (!any(may_be_over)) return;
+  for (int lane = 0; lane < lane_count; ++lane) {
+    if (may_be_over[lane] == 0) continue;
+    const auto rough = lane_of<typename Law::template Shear<Real>>(kind.shear, lane);
+    const Real strength = at.vertex_area[lane] * rough_strength(rough, -at.stress[v][0][lane],
+                                                                laws::mobilised_roughness(at.path[i][lane] / rough.peak_slip));
+    const Real share = laws::damping_share({borne[1][lane], borne[2][lane]}, {-force[1][lane], -force[2][lane]}, strength);
+    force[1][lane] *= share;
+    force[2][lane] *= share;
+  }
+}
+
 /// What slips and parts, and the stress that remains; returns which joints have parted.
 template <laws::DilatesBySlip Law>
 LaneMask change_joints(const JointParameters<Law, Lanes>& kind, const LaneVector&, const LaneVector& strength, const LaneMask&,

@@ -180,6 +180,59 @@ TEST(natural_joint, dashpots_act_only_where_it_is_closed) {
   EXPECT_LT(pair.forces()[1].linear.x(), 0.5 * -22.6e6 * pair.area() + 450e9 * 1e-5 * pair.area());
 }
 
+/// Sliding at 0.5 m/s the dashpot alone would bear 5 MPa; friction bounds it together with the springs.
+TEST(natural_joint, dashpots_never_lift_the_shear_stress_above_the_strength) {
+  auto plane = natural_joint();
+  const auto own = BartonBandis::Own{0.0, 100e6, 30.0, 0.1};
+  std::ranges::copy(own, plane.law_parameters.end() - own.size());
+  BondedPair pair(plane);
+  pair.place(-1e-5, 1e-3);
+  const Real strength = pair.stress().y(), pressure = -pair.stress().x();
+  EXPECT_NEAR(strength, pressure * std::tan(30 * degree), 1e-9 * strength);
+  for (const Real speed : {0.5, -0.6}) {
+    pair.bodies().motion[1].velocity = Vector3(0, speed, 0);
+    EXPECT_NEAR(pair.stress().y(), std::copysign(strength, speed), 1e-9 * strength) << "it slides";
+  }
+  pair.bodies().motion[1].velocity = Vector3(0, -0.01, 0);
+  EXPECT_NEAR(pair.stress().y(), strength - 0.01 * 10.1e6, 1e-6 * strength) << "it is let back, which the dashpot resists";
+}
+
+/// The same as it is run, with rigid and with deformable elements.
+TEST(natural_joint, a_sliding_block_is_held_by_friction_alone) {
+  for (const bool deformable : {false, true}) {
+    auto blocks = test::two_block_case(true);
+    blocks.joints[0] = natural_joint();
+    blocks.joints[0].normal_damping = 0;
+    const auto own = BartonBandis::Own{0.0, 100e6, 30.0, 0.1};
+    std::ranges::copy(own, blocks.joints[0].law_parameters.end() - own.size());
+    if (deformable) {
+      for (cases::Material& material : blocks.materials) {
+        material.youngs_modulus = 30e9;
+        material.poisson_ratio = 0.2;
+        material.deformable = true;
+      }
+    }
+    blocks.constraints.push_back({{"left", "right"}, {false, false, false}, {true, true, true}});
+    test::move(blocks, "left", {1, -2, 0});
+    test::move(blocks, "right", {-1, 2, 0});
+    blocks.time.base_step = 1e-7;
+    auto model = runs::build_blocks(blocks, test::two_blocks());
+    model.simulation->start();
+    int sliding = 0;
+    while (model.simulation->now().seconds() < 5e-5) {
+      model.simulation->advance();
+      const Vector3 force = model.joints->force(0);
+      const Real along = std::hypot(force.y(), force.z()), most = std::tan(30 * degree) * std::abs(force.x());
+      ASSERT_LE(along, most * (1 + 1e-5)) << deformable << " " << model.simulation->now().seconds();
+      if (along > 0.99 * most && most > 0) ++sliding;
+    }
+    EXPECT_GT(sliding, 20);
+    const auto balance = model.simulation->energy_balance();
+    EXPECT_GT(balance[EnergyKind::slip], 0);
+    EXPECT_LT(std::abs(balance.residual()), 1e-3 * balance[EnergyKind::slip]);
+  }
+}
+
 /// Each joint begins with the compression that bears the initial stress.
 TEST(natural_joint, initial_stress_is_borne_from_the_beginning) {
   auto blocks = test::two_block_case(true);

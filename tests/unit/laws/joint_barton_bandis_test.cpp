@@ -265,6 +265,30 @@ TEST(joint_barton_bandis, no_slip_gains_however_far_it_goes) {
   }
 }
 
+/// However the dashpot pulls, both together are within the circle of the strength, and the dashpot is whole where it fits.
+TEST(joint_barton_bandis, friction_bounds_spring_and_dashpot_together) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<Real> number(-1, 1);
+  int whole = 0, none = 0;
+  for (int trial = 0; trial < 20000; ++trial) {
+    const Real strength = trial % 5 == 0 ? 0 : std::abs(number(random)), angle = std::numbers::pi * number(random);
+    const Real borne = trial % 3 == 0 ? strength : strength * std::abs(number(random));
+    const std::array<Real, 2> stress{borne * std::cos(angle), borne * std::sin(angle)}, dashpot{number(random), number(random)};
+    const Real share = damping_share(stress, dashpot, strength);
+    const auto length = [&](Real of) { return std::hypot(stress[0] + of * dashpot[0], stress[1] + of * dashpot[1]); };
+    ASSERT_GE(share, 0) << trial;
+    ASSERT_LE(share, 1) << trial;
+    ASSERT_LE(length(share), strength + 1e-7) << trial;
+    if (share < 1) {
+      ASSERT_GE(length(std::min(share + 1e-3, Real{1})), strength - 1e-7) << trial << ": it might be more";
+    }
+    whole += share == 1;
+    none += share == 0;
+  }
+  EXPECT_GT(whole, 1000);
+  EXPECT_GT(none, 1000);
+}
+
 /// Back where it began, a vertex has given back less than it was given, in whatever order it is closed, opened and sheared.
 TEST(joint_barton_bandis, a_closed_cycle_never_gains) {
   std::mt19937 random(5);

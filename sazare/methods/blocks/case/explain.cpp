@@ -133,6 +133,10 @@ void explain_joint(Explanation& text, const Joint& joint) {
       joint.damping_ratio ? fmt::format("damping ratio {}", number(*joint.damping_ratio))
                           : fmt::format("dashpots {} and {} Pa s/m", number(joint.normal_damping), number(joint.shear_damping));
   text.more(fmt::format("{}, {} (normal, shear)", springs, dashpots));
+  const bool is_damped = joint.damping_ratio ? *joint.damping_ratio > 0 : joint.shear_damping > 0;
+  if (joint.on_surface() && !joint.is_natural() && is_damped)
+    text.more(fmt::format("where it slides, its shear dashpot bears stress beside its strength{}",
+                          joint.damping_ratio ? "" : fmt::format(": {} at 1 m/s", stress_text(joint.shear_damping))));
 }
 
 void explain_contact(Explanation& text, const Contact& contact) {

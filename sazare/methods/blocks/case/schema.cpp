@@ -119,7 +119,7 @@ constexpr std::array leading_joint_keys{
         .unit = "Pa s/m",
         .range = not_negative,
         .default_text = "0.0",
-        .sentence = "Shear dashpot: shear stress per sliding velocity."},
+        .sentence = "Shear dashpot: shear stress per sliding velocity, beside the strength; of law barton_bandis within it."},
     Key{.name = "damping_ratio",
         .type = Type::number,
         .range = not_negative,
