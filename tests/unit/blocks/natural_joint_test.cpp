@@ -248,6 +248,27 @@ TEST(natural_joint, initial_stress_is_borne_from_the_beginning) {
   EXPECT_EQ(runs::find_fragments(2, *model.joints).count, 2) << "a natural joint parts fragments";
 }
 
+/// An initial stress between the residual strength, 2.31 MPa, and that at the peak, 3.86 MPa, makes the joint slip at once; what
+/// that takes of the energy of the start is told.
+TEST(natural_joint, begins_with_its_residual_friction) {
+  auto blocks = test::two_block_case(true);
+  blocks.joints[0] = natural_joint();
+  blocks.joints[0].normal_damping = blocks.joints[0].shear_damping = 0;
+  blocks.initial_stress.normal = Vector3(-4e6, -1e6, -1e6);
+  blocks.initial_stress.shear = Vector3(2e6, 0, 0);
+  EXPECT_EQ(runs::build_blocks(blocks, test::two_blocks()).fit.overstressed.front().faces, 0);
+  blocks.initial_stress.shear = Vector3(3e6, 0, 0);
+  blocks.time.base_step = 1e-8;
+  auto model = runs::build_blocks(blocks, test::two_blocks());
+  EXPECT_EQ(model.fit.overstressed.front().faces, 1);
+  EXPECT_NEAR(model.fit.overstressed.front().worst, 3 / (4 * std::tan(30 * degree)), 1e-3);
+  model.simulation->start();
+  for (int step = 0; step < 100; ++step) model.simulation->advance();
+  const auto balance = model.simulation->energy_balance();
+  EXPECT_GT(balance[EnergyKind::slip], 0);
+  EXPECT_LT(std::abs(balance.residual()), 1e-3 * balance[EnergyKind::slip]);
+}
+
 /// Joints of a bar, moved at random: evaluated together or one by one they have the same bits, so threads and ranks do not
 /// matter.
 TEST(natural_joint, has_the_same_bits_whoever_is_evaluated_beside_it) {
