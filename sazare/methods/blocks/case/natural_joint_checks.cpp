@@ -53,6 +53,10 @@ private:
             fmt::format("residual_friction_angle {} deg is not below {} deg", short_number(*angle),
                         short_number(most_residual_angle)),
             "the friction angle with all roughness is at most 70 deg; residual ones are some 20 to 35 deg");
+    else if (entry_.gives("residual_friction_angle") && *angle == 0)
+      context_.problems.warning(entry_.place("residual_friction_angle"),
+                                "residual_friction_angle 0 deg: before it is rough by slip, the joint has no friction at all",
+                                "residual ones are some 20 to 35 deg");
     if (const auto& damage = own_[BartonBandis::damage];
         entry_.gives("damage_coefficient") && (*damage < 1 || *damage > most_damage))
       error("damage_coefficient", fmt::format("damage_coefficient {} is not from 1 to 2", short_number(*damage)),
