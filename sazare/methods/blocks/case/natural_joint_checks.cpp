@@ -14,6 +14,14 @@ constexpr std::array<std::string_view, 9> keys_of_strength{
     "cohesion",        "friction_coefficient", "friction_angle", "tensile_strength",    "fracture_energy",
     "weibull_modulus", "scatter_seed",         "rate_law",       "rate_energy_exponent"};
 constexpr Real most_jrc = 20, most_residual_angle = 70, least_jcs = 1e5, most_aperture = 5e-3, most_damage = 2;
+
+/// Keys that no joint without strength takes.
+std::vector<std::string_view> strength_keys() {
+  std::vector<std::string_view> keys(keys_of_strength.begin(), keys_of_strength.end());
+  for (const laws::LawParameter& parameter : laws::parameters_of_laws<laws::RateLaws>) keys.push_back(parameter.name);
+  return keys;
+}
+
 constexpr std::string_view by_test = "initial_normal_stiffness and maximum_closure";
 
 /// Reports what is wrong with a natural joint, key by key.
@@ -23,7 +31,7 @@ public:
       : context_(context), entry_(entry), own_(laws::own_parameters<laws::JointLaws, BartonBandis>(joint.law_parameters)) {}
 
   void check(const Joint& joint) const {
-    check_keys(context_, entry_, "law barton_bandis", {}, {keys_of_strength.begin(), keys_of_strength.end()},
+    check_keys(context_, entry_, "law barton_bandis", {}, strength_keys(),
                "remove it: a natural joint has no strength without pressure, and its friction follows from jrc, jcs and "
                "residual_friction_angle");
     if (entry_.gives("joint_shear_stiffness") && joint.shear_stiffness == Real{0})
