@@ -38,7 +38,7 @@ public:
     return own_springs_.empty() ? kind : kind.with(own_springs_[static_cast<std::size_t>(joint)]);
   }
   JointState state(Index joint) const { return record(joint).state; }
-  /// Whether a joint was never bonded.
+  /// Whether the law of a joint is one of natural joints.
   bool is_natural(Index joint) const { return elastic_[static_cast<std::size_t>(record(joint).kind)].is_natural; }
   /// On the second body as last evaluated, dashpots included [N].
   Vector3 force(Index joint) const { return table_[joint].total.linear; }

@@ -104,7 +104,7 @@ inline constexpr std::array joints = {
     Column{"state", "-", "0 intact, 1 softening, 2 broken, 3 sheared: without strength, and pressed together"},
     Column{"mode", "-", "of a crack: 1 opening, 2 shear, whichever has dissipated more; else 0"},
     Column{"opening", "m", "largest of its corners"},
-    Column{"slip", "m", "largest of its corners"},
+    Column{"slip", "m", "largest of its corners: how far its sides are apart along the face, less after they have slipped back"},
     Column{"kind", "-", "number in the case"},
     Column{
         "strength_factor", "-",
