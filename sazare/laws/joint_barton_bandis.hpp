@@ -105,10 +105,16 @@ T closing_pressure(const JointClosure<P>& law, T compression) {
   return select(is_soft, T(2.0 * c * law.half_stress / sum), T(0.5 * law.stiffness * (root - b)));
 }
 
-/// Compression [m] under a pressure.
+/// Closure [m] of the joint itself under a pressure.
+template <class P, class T>
+T closure_under(const JointClosure<P>& law, T pressure) {
+  return pressure * law.most / (law.half_stress + pressure);
+}
+
+/// Compression [m] of springs and joint under a pressure.
 template <class P, class T>
 T compression_under(const JointClosure<P>& law, T pressure) {
-  return pressure / law.stiffness + pressure * law.most / (law.half_stress + pressure);
+  return pressure / law.stiffness + closure_under(law, pressure);
 }
 
 /// The natural logarithm of 1 + a.
@@ -164,6 +170,11 @@ inline Real asperity_angle(const RoughShear<Real>& law, Real pressure, Real mobi
   if (roughness == 0 || pressure >= law.wall_strength) return 0;
   const Real most = std::max(most_friction_angle - law.residual_angle, Real{0});
   return pressure > 0 ? std::min(roughness * std::log(law.wall_strength / pressure), most) : most;
+}
+
+/// JRC at the length of the joint, of which a share is mobilised.
+inline Real mobilised_coefficient(const RoughShear<Real>& law, Real mobilised) {
+  return mobilised * law.roughness * std::numbers::ln10 * 180 / std::numbers::pi;
 }
 
 /// Shear strength [Pa] under a pressure.

@@ -64,6 +64,12 @@ public:
   /// Path of slip of the vertices of a joint; none where no law remembers it.
   std::span<const SlipPath> slip_paths() const { return paths_; }
 
+  /// Stress of the vertices of a natural joint as last evaluated; 0 where no joint of the run is natural.
+  FaceStress last_stress(Index joint) const {
+    return stresses_.empty() ? FaceStress{Vector3::Zero(), Vector3::Zero(), Vector3::Zero()}
+                             : stresses_[static_cast<std::size_t>(joint)];
+  }
+
   /// Joints that came apart since the last call, in rising order.
   std::vector<Index> take_broken();
 

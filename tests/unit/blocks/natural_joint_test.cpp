@@ -8,6 +8,7 @@
 #include <random>
 
 #include "sazare/methods/blocks/run/block_fragments.hpp"
+#include "sazare/methods/blocks/run/natural_joints.hpp"
 #include "sazare/methods/blocks/run/parts.hpp"
 #include "tests/support/bonded_pair.hpp"
 
@@ -89,6 +90,21 @@ TEST(natural_joint, direct_shear_has_the_peak_of_barton_and_dilates) {
         peak_slip * (0.3 * std::tan(0.1875 * full) + 0.4 * std::tan(0.4375 * full) + beyond * std::tan(0.4625 * full));
     EXPECT_NEAR(pair.joints().record(0).vertex[1].peak, dilation, 1e-2 * dilation);
   }
+}
+
+/// 1/(1/V_m + K_ni/s) is 0.0448 mm under 1 MPa; at twice the slip of the peak 0.85 of JRC is left.
+TEST(natural_joint, snapshots_tell_of_path_roughness_closure_and_dilation) {
+  EXPECT_FALSE(runs::natural_joints(BondedPair().joints()).are_there());
+  BondedPair pair(natural_joint());
+  const Real peak_slip = 0.1 / 500 * std::cbrt(100.0);
+  slide(pair, 1e6, 0, 2 * peak_slip, 4000);
+  const runs::NaturalJoints seen = runs::natural_joints(pair.joints());
+  EXPECT_NEAR(seen.path[0], 2 * peak_slip, 0.02 * peak_slip);
+  EXPECT_NEAR(seen.mobilised_jrc[0], 8.5, 0.02);
+  EXPECT_NEAR(seen.closure[0], 0.0448e-3, 5e-7);
+  EXPECT_EQ(seen.dilation[0], std::max({pair.joints().record(0).vertex[0].peak, pair.joints().record(0).vertex[1].peak,
+                                        pair.joints().record(0).vertex[2].peak}));
+  EXPECT_GT(seen.dilation[0], 1e-4);
 }
 
 TEST(natural_joint, forces_derive_from_the_energy) {

@@ -110,6 +110,12 @@ inline constexpr std::array joints = {
         "strength_factor", "-",
         "strength over that of the case, where strengths scatter or follow the rate of strain: that of a joint that has softened "
         "stays; else 1"}};
+/// Beside these where there are natural joints; 0 of others.
+inline constexpr std::array natural_joints = {
+    Column{"slip_path", "m", "path of slip under pressure, to and fro, the largest of its corners"},
+    Column{"mobilised_jrc", "-", "what slip has mobilised, and left, of JRC at the length of the joint, at that corner"},
+    Column{"closure", "m", "of the joint without its springs, the largest of its corners"},
+    Column{"dilation", "m", "so far, the largest of its corners"}};
 
 /// In the manifest, `results` by name: an interface, which scripts of users read.
 inline constexpr std::array figures = {
