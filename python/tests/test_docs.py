@@ -65,6 +65,20 @@ def test_the_python_of_a_page_runs(page, place, monkeypatch):
             exec(program, words)  # noqa: S102 - that is what this test is for
 
 
+def test_the_natural_joint_of_the_guide_is_accepted(tmp_path):
+    (joint,) = (text for text in blocks(ROOT / "docs/guide/joints-from-tests.md", "toml") if "barton_bandis" in text)
+    (rock,) = (text for text in blocks(ROOT / "docs/guide/joints-from-tests.md", "toml") if "[[materials]]" in text)
+    case = (ROOT / "cases/direct-shear/case.toml").read_text(encoding="utf-8")
+    begin, end = case.index("[[materials]]"), case.index("[contact]")
+    ground = rock.replace('["rock"]', '["lower", "upper"]') + joint.replace('"bedding"\nlaw', '"joint"\nlaw')
+    for name in ("box.geo", "normal.csv", "push.csv"):
+        (tmp_path / name).symlink_to(ROOT / "cases/direct-shear" / name)
+    (tmp_path / "case.toml").write_text(case[:begin] + ground + case[end:], encoding="utf-8")
+    asked = subprocess.run([COMMAND, "check", tmp_path / "case.toml"], capture_output=True, text=True, check=False)
+    assert asked.returncode == 0, asked.stderr
+    assert "closes by up to" in asked.stdout
+
+
 def commands(page):
     """The lines of a page that call sazare, whole."""
     for text in blocks(page, "", "sh", "bash", "console"):

@@ -20,6 +20,7 @@ consteval auto keys_of_laws() {
                .type = Type::number,
                .unit = parameters[n].unit,
                .range = parameters[n].may_be_zero ? not_negative : positive,
+               .usual = {parameters[n].usual_least, parameters[n].usual_most},
                .note = parameters[n].note,
                .sentence = parameters[n].sentence};
   return keys;

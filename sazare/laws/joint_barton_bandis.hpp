@@ -22,9 +22,10 @@
 /// Min. Sci. 20, 1983. JRC and JCS by length: N. Barton, S. Bandis, Rock Joints (Loen), 1990.
 ///
 /// w and q are the memories of a vertex, besides the slip itself. The normal stress is the slope of an energy at any w. Slip
-/// takes the work against friction, the mean of the strength before and after, less the energy by which dilation compresses the
-/// joint. That is never negative: the dilation angle is that of the end of the slip, where it is below the angle of friction, as
-/// it is at the beginning; and between, the pressure lies below the straight line.
+/// takes the work of the shear stress on it, less that of the pressure on the dilation, each with the mean of the stress before
+/// and after: that is the work which the two sides do on the joint from one evaluation to the next and which it does not store,
+/// to second order, so the stress as last evaluated is a memory too. The stresses after a slip take energy, however far it goes:
+/// the dilation angle is that under the pressure of its end, which is below the angle of friction.
 ///
 /// Deviations: m begins with 0 instead of a share below 0, so that the residual friction is there at once and the springs alone
 /// make the first rise; loading and unloading follow one curve of closure; and slip dilates and wears in any direction.
@@ -32,6 +33,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -103,10 +105,16 @@ T closing_pressure(const JointClosure<P>& law, T compression) {
   return select(is_soft, T(2.0 * c * law.half_stress / sum), T(0.5 * law.stiffness * (root - b)));
 }
 
-/// Compression [m] under a pressure.
+/// Closure [m] of the joint itself under a pressure.
+template <class P, class T>
+T closure_under(const JointClosure<P>& law, T pressure) {
+  return pressure * law.most / (law.half_stress + pressure);
+}
+
+/// Compression [m] of springs and joint under a pressure.
 template <class P, class T>
 T compression_under(const JointClosure<P>& law, T pressure) {
-  return pressure / law.stiffness + pressure * law.most / (law.half_stress + pressure);
+  return pressure / law.stiffness + closure_under(law, pressure);
 }
 
 /// The natural logarithm of 1 + a.
@@ -164,6 +172,11 @@ inline Real asperity_angle(const RoughShear<Real>& law, Real pressure, Real mobi
   return pressure > 0 ? std::min(roughness * std::log(law.wall_strength / pressure), most) : most;
 }
 
+/// JRC at the length of the joint, of which a share is mobilised.
+inline Real mobilised_coefficient(const RoughShear<Real>& law, Real mobilised) {
+  return mobilised * law.roughness * std::numbers::ln10 * 180 / std::numbers::pi;
+}
+
 /// Shear strength [Pa] under a pressure.
 inline Real rough_strength(const RoughShear<Real>& law, Real pressure, Real mobilised) {
   return pressure * std::tan(law.residual_angle + asperity_angle(law, pressure, mobilised));
@@ -174,9 +187,11 @@ struct RoughVertex {
   Real elastic[2];     ///< tangential displacement less the slip so far [m]
   Real compression;    ///< c [m]
   Real path;           ///< q [m]
-  Real slip[2]{};      ///< what is added to the slip [m]
-  Real dilation{};     ///< and to the dilation [m]
-  Real dissipation{};  ///< energy per area that this takes [J/m2]
+  Real shear_before[2]{};  ///< shear stress as last evaluated [Pa]
+  Real pressure_before{};  ///< and pressure [Pa]
+  Real slip[2]{};          ///< what is added to the slip [m]
+  Real dilation{};         ///< and to the dilation [m]
+  Real dissipation{};      ///< energy per area that this takes [J/m2]
 };
 
 /// The slip from a displacement e of the springs after which the shear stress is that which the joint bears, when each unit of it
@@ -225,15 +240,25 @@ inline bool slide(const JointClosure<Real>& closure, const RoughShear<Real>& law
     if (slope > 0) solve();  // by the pressure at the end, so that the dilation angle is below that of friction
     at.path += slip;
   }
-  const Real share = slip / e, stress = before > 0 ? law.stiffness * (e - slip) : 0;
   at.dilation = slope * slip;
-  at.dissipation = 0.5 * (strength + stress) * slip - (closing_energy(closure, pressure) - closing_energy(closure, before));
+  Real work = -0.5 * (at.pressure_before + pressure) * at.dilation;
   for (int axis = 0; axis < 2; ++axis) {
-    at.slip[axis] = at.elastic[axis] * share;
+    at.slip[axis] = at.elastic[axis] * (slip / e);
     at.elastic[axis] -= at.slip[axis];
+    work += 0.5 * (at.shear_before[axis] + law.stiffness * at.elastic[axis]) * at.slip[axis];
   }
+  at.dissipation = std::max(work, Real{0});  // below 0 only where one step goes from rest to far slip
   at.compression += at.dilation;
   return true;
+}
+
+/// The share of a dashpot's stress that acts beside a shear stress: friction bounds what both bear together [Pa].
+inline Real damping_share(const std::array<Real, 2>& stress, const std::array<Real, 2>& dashpot, Real strength) {
+  const Real squared = dashpot[0] * dashpot[0] + dashpot[1] * dashpot[1], along = stress[0] * dashpot[0] + stress[1] * dashpot[1],
+             left = std::max(strength * strength - stress[0] * stress[0] - stress[1] * stress[1], Real{0});
+  if (squared + 2 * along <= left) return 1;
+  const Real root = std::sqrt(along * along + squared * left);
+  return along < 0 ? (root - along) / squared : left / std::max(root + along, std::numeric_limits<Real>::min());
 }
 
 /// K_ni [Pa/m] of a joint in its first cycle of loading, from its aperture [m]. Bandis, Lumsden and Barton, 1983.
@@ -256,39 +281,58 @@ struct BartonBandis {
                    .note = required,
                    .sentence = "Joint roughness coefficient JRC, 0 to 20.",
                    .may_be_zero = true},
-      LawParameter{.name = "jcs", .unit = "Pa", .note = required, .sentence = "Joint wall compressive strength JCS."},
+      LawParameter{.name = "jcs",
+                   .unit = "Pa",
+                   .note = required,
+                   .sentence = "Joint wall compressive strength JCS, at least 0.1 MPa.",
+                   .usual_least = 3e6,
+                   .usual_most = 500e6},
       LawParameter{.name = "residual_friction_angle",
                    .unit = "deg",
                    .note = required,
-                   .sentence = "Residual friction angle of the joint, that of a JRC of 0.",
-                   .may_be_zero = true},
+                   .sentence = "Residual friction angle of the joint, that of a JRC of 0; below 70 deg.",
+                   .may_be_zero = true,
+                   .usual_least = 5,
+                   .usual_most = 60},
       LawParameter{.name = "joint_length",
                    .unit = "m",
                    .note = required,
                    .sentence = "Length of the joint in the ground, between others that cross it: its peak is at a slip of "
-                               "L/500 (JRC/L)^(1/3)."},
+                               "L/500 (JRC/L)^(1/3).",
+                   .usual_least = 0.01,
+                   .usual_most = 100},
       LawParameter{.name = "laboratory_length",
                    .unit = "m",
                    .note = "default: joint_length",
                    .sentence =
-                       "Length of the specimens that have jrc and jcs. Of a longer joint both are less, by the scale correction "
-                       "of Bandis.",
-                   .may_be_absent = true},
+                       "Length of the specimens that have jrc and jcs, at most joint_length. Of a longer joint both are less, by "
+                       "the scale correction of Bandis.",
+                   .may_be_absent = true,
+                   .usual_least = 0.01,
+                   .usual_most = 5},
       LawParameter{.name = "joint_aperture",
                    .unit = "m",
                    .note = "for law barton_bandis; without it and tests the joint itself does not close",
-                   .sentence = "Aperture of the joint under a small stress, from which its closure is estimated.",
-                   .may_be_absent = true},
+                   .sentence =
+                       "Aperture of the joint under a small stress, at most 5 mm, from which its closure is estimated; the "
+                       "closure must come out below the aperture.",
+                   .may_be_absent = true,
+                   .usual_least = 1e-5,
+                   .usual_most = 2e-3},
       LawParameter{.name = "initial_normal_stiffness",
                    .unit = "Pa/m",
                    .note = by_test,
                    .sentence = "Normal stiffness K_ni with which closure of the joint begins.",
-                   .may_be_absent = true},
+                   .may_be_absent = true,
+                   .usual_least = 1e8,
+                   .usual_most = 1e13},
       LawParameter{.name = "maximum_closure",
                    .unit = "m",
                    .note = by_test,
                    .sentence = "Largest closure V_m of the joint.",
-                   .may_be_absent = true},
+                   .may_be_absent = true,
+                   .usual_least = 1e-6,
+                   .usual_most = 2e-3},
       LawParameter{
           .name = "damage_coefficient",
           .unit = "",

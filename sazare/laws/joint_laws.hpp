@@ -11,7 +11,8 @@
 /// Every vertex of a joint has two memories: the largest opening so far, `peak`, and the slip so far. A joint of any law breaks
 /// when one of its vertices has failed. A law that softens by slip, SoftensBySlip, has a third, the path of slip, by which and by
 /// the largest opening it has a damage between 0 and 1. A law of natural joints, DilatesBySlip, has the path too, and the
-/// dilation so far in the place of the largest opening; it is never bonded, and closes and opens as often as its sides do.
+/// dilation so far in the place of the largest opening; it bears pressure and friction alone, and closes and opens as often as
+/// its sides do.
 
 #include <concepts>
 #include <optional>

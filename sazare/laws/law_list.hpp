@@ -8,10 +8,13 @@
 #include <array>
 #include <cassert>
 #include <cstddef>
+#include <limits>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <utility>
+
+#include "sazare/core/vector.hpp"
 
 namespace sazare::laws {
 
@@ -23,6 +26,8 @@ struct LawParameter {
   std::string_view sentence;  ///< what it is
   bool may_be_zero = false;
   bool may_be_absent = false;
+  Real usual_least = 0;  ///< between these its numbers lie in practice
+  Real usual_most = std::numeric_limits<Real>::infinity();
 };
 
 /// The place of a law in a list; only a law of the list compiles.

@@ -33,14 +33,22 @@ std::string_view reference(const observe::Manifest& manifest) {
                                                                                  : "the work";
 }
 
+bool tells(const observe::Manifest& manifest, std::string_view name) {
+  return std::ranges::any_of(manifest.results, [&](const auto& result) { return result.first == name; });
+}
+
+/// Whether a body that has settled before the run has hardly moved since: what is left of its forces swings.
+bool stays_settled(const observe::Manifest& manifest) {
+  constexpr Real hardly = 1e-3;
+  return tells(manifest, "settlement") && tells(manifest, "throw_max") &&
+         figure(manifest, "throw_max") < hardly * figure(manifest, "settlement");
+}
+
 /// Nothing has moved by more than round-off, of which the balance then consists.
 bool rests(const observe::Manifest& manifest) {
   constexpr Real round_off = 1e-12, slow = 1e-6, nothing = 1e-9;  // m; far less than an atom; m/s and J
-  const auto tells = [&](std::string_view name) {
-    return std::ranges::any_of(manifest.results, [&](const auto& result) { return result.first == name; });
-  };
-  if (tells("peak_displacement")) return figure(manifest, "peak_displacement") < round_off;
-  return tells("peak_speed") && figure(manifest, "peak_speed") < slow && energy_brought_in(manifest) < nothing;
+  if (tells(manifest, "peak_displacement")) return figure(manifest, "peak_displacement") < round_off;
+  return tells(manifest, "peak_speed") && figure(manifest, "peak_speed") < slow && energy_brought_in(manifest) < nothing;
 }
 
 }  // namespace
@@ -57,7 +65,7 @@ std::string balance_warning(const observe::Manifest& manifest) {
   if (rests(manifest)) return "";
   const Real whole = energy_brought_in(manifest), residual = std::abs(figure(manifest, "energy_residual")), share = residual / whole;
   const Real held = std::abs(figure(manifest, "energy_kinetic")) + std::abs(figure(manifest, "energy_elastic"));
-  if (whole == 0 && residual > warned_of * held)
+  if (whole == 0 && residual > warned_of * held && !stays_settled(manifest))
     return fmt::format("warning: the bodies have an energy of {} J, though no work was done on them\n"
                        "      help: a load or a motion may have jumped within one step; let it grow over several\n",
                        cases::short_number(residual, 2));

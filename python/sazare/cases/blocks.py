@@ -67,8 +67,8 @@ class Joint(Part):
     law: Literal["linear_softening", "mixed_mode", "barton_bandis"] | None = None
     """How a bonded joint fails. linear_softening: tension softens linearly until the joint breaks, and shear slips at the Mohr-
     Coulomb strength without end. mixed_mode: opening and slip use up one strength, each with its fracture energy, and friction
-    remains. barton_bandis: a natural rock joint, which was never bonded, closes under pressure, and dilates and wears as it
-    slips. Default: "linear_softening".
+    remains. barton_bandis: a natural rock joint, which bears pressure and friction alone, closes under pressure, and dilates
+    and wears as it slips. Default: "linear_softening".
     """
     joint_normal_stiffness: float | None = None
     """Normal stiffness: normal stress per opening. [Pa/m] (required when bonded, unless its materials have youngs_modulus)
@@ -81,7 +81,9 @@ class Joint(Part):
     joint_normal_damping: float | None = None
     """Normal dashpot: normal stress per opening velocity. [Pa s/m] Default: 0.0. At least 0."""
     joint_shear_damping: float | None = None
-    """Shear dashpot: shear stress per sliding velocity. [Pa s/m] Default: 0.0. At least 0."""
+    """Shear dashpot: shear stress per sliding velocity, beside the strength; of law barton_bandis within it. [Pa s/m] Default:
+    0.0. At least 0.
+    """
     damping_ratio: float | None = None
     """Damping ratio of the two elements beside each face, which move against each other on its springs. (instead of
     joint_normal_damping and joint_shear_damping) At least 0.
@@ -106,7 +108,7 @@ class Joint(Part):
     """
     weibull_modulus: float | None = None
     """Lets strengths and fracture energies scatter from face to face by Weibull's distribution with this modulus about those
-    given here, which are the means. (default: all faces have the same strength) At least 1.
+    given here, which are the means. (default: all faces have the same strength; not for law barton_bandis) At least 1.
     """
     scatter_seed: int | None = None
     """Seed of the random strength factors of the faces. (only with a weibull_modulus) Default: 1. At least 0 and at most 1e+09.
@@ -122,20 +124,21 @@ class Joint(Part):
     jrc: float | None = None
     """Joint roughness coefficient JRC, 0 to 20. (required for law barton_bandis) At least 0."""
     jcs: float | None = None
-    """Joint wall compressive strength JCS. [Pa] (required for law barton_bandis) Greater than 0."""
+    """Joint wall compressive strength JCS, at least 0.1 MPa. [Pa] (required for law barton_bandis) Greater than 0."""
     residual_friction_angle: float | None = None
-    """Residual friction angle of the joint, that of a JRC of 0. [deg] (required for law barton_bandis) At least 0."""
+    """Residual friction angle of the joint, that of a JRC of 0; below 70 deg. [deg] (required for law barton_bandis) At least 0.
+    """
     joint_length: float | None = None
     """Length of the joint in the ground, between others that cross it: its peak is at a slip of L/500 (JRC/L)^(1/3). [m]
     (required for law barton_bandis) Greater than 0.
     """
     laboratory_length: float | None = None
-    """Length of the specimens that have jrc and jcs. Of a longer joint both are less, by the scale correction of Bandis. [m]
-    (default: joint_length) Greater than 0.
+    """Length of the specimens that have jrc and jcs, at most joint_length. Of a longer joint both are less, by the scale
+    correction of Bandis. [m] (default: joint_length) Greater than 0.
     """
     joint_aperture: float | None = None
-    """Aperture of the joint under a small stress, from which its closure is estimated. [m] (for law barton_bandis; without it and
-    tests the joint itself does not close) Greater than 0.
+    """Aperture of the joint under a small stress, at most 5 mm, from which its closure is estimated; the closure must come out
+    below the aperture. [m] (for law barton_bandis; without it and tests the joint itself does not close) Greater than 0.
     """
     initial_normal_stiffness: float | None = None
     """Normal stiffness K_ni with which closure of the joint begins. [Pa/m] (for law barton_bandis, with the other of the two,
@@ -151,7 +154,8 @@ class Joint(Part):
     """
     rate_law: Literal["none", "fib_2010", "malvar_ross", "cowper_symonds", "logarithmic"] | None = None
     """How tensile strength, cohesion and fracture energies grow with the rate of strain at which the joint is opened: not, as the
-    fib Model Code 2010 or Malvar and Ross have it for concrete, or by a power or the logarithm of the rate. Default: "none".
+    fib Model Code 2010 or Malvar and Ross have it for concrete, or by a power or the logarithm of the rate. (not for law
+    barton_bandis) Default: "none".
     """
     rate_energy_exponent: float | None = None
     """Power of the factor on the strength that fracture energies have: 0, they do not depend on the rate; 1, they grow as the

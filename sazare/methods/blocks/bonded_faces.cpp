@@ -25,17 +25,25 @@ std::array<float, 3> spread_of(const JointRecord& joint) {
   return {static_cast<float>(sums[0]), static_cast<float>(sums[1]), static_cast<float>(sums[2])};
 }
 
-/// Moves the corners on the master so that the springs carry the initial tractions. The area of the record is rounded; the force
-/// is that over the whole face.
-void preload(JointRecord& joint, const JointFace& face, const ElasticJoint& kind, const Matrix3& to_master) {
+/// The initial tractions of a face. The area of the record is rounded; the force is that over the whole face.
+FaceStress initial_stress(const JointRecord& joint, const JointFace& face, const Matrix3& to_master) {
   const auto axes = face_axes(joint.normal, joint.tilt);
   const auto& c = face.corners;
   const Real whole = (c[1] - c[0]).cross(c[2] - c[0]).norm() / 6 / Real{joint.vertex_area};
+  FaceStress stress;
   for (std::size_t v = 0; v < vertex_count; ++v) {
     const Vector3 traction = whole * (to_master * face.traction[v]);
-    if (traction.isZero(0)) continue;
-    joint.vertex[v].corner[0] -= kind.opening_under(axes[0].dot(traction));
-    for (int along : {1, 2}) joint.vertex[v].corner[along] -= axes[at(along)].dot(traction) / kind.shear_stiffness;
+    stress[v] = {axes[0].dot(traction), axes[1].dot(traction), axes[2].dot(traction)};
+  }
+  return stress;
+}
+
+/// Moves the corners on the master so that the springs carry the initial tractions.
+void preload(JointRecord& joint, const FaceStress& stress, const ElasticJoint& kind) {
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    if (stress[v].isZero(0)) continue;
+    joint.vertex[v].corner[0] -= kind.opening_under(stress[v][0]);
+    for (int along : {1, 2}) joint.vertex[v].corner[along] -= stress[v][along] / kind.shear_stiffness;
   }
 }
 
@@ -79,6 +87,7 @@ MasterCorners corners_on_master(const JointRecord& joint) {
 BondedFaces::BondedFaces(std::vector<ElasticJoint> kinds, std::span<const JointFace> faces, std::vector<terms::Rates> rates,
                          std::vector<laws::DynamicIncrease> rate_laws, const state::Bodies<3>& bodies, bool some_remember_path)
     : elastic_(std::move(kinds)), at_face_(at(bodies.size()), {-1, -1, -1, -1}), rates_(std::move(rates)) {
+  const bool some_natural = std::ranges::any_of(elastic_, &ElasticJoint::is_natural);
   reserve_on_large_pages(records_, faces.size());
   for (const JointFace& face : faces) {
     at_face_[at(face.master)][at(face.master_face)] = count();
@@ -86,7 +95,9 @@ BondedFaces::BondedFaces(std::vector<ElasticJoint> kinds, std::span<const JointF
     const ElasticJoint joint = elastic_joint(elastic_, face);
     records_.push_back(make_joint(face, joint, bodies));
     if (!bodies.strain.empty()) master_corners_.push_back(corners_on_master(records_.back()));
-    preload(records_.back(), face, joint, bodies.motion[at(face.master)].rotation.transpose());
+    const FaceStress stress = initial_stress(records_.back(), face, bodies.motion[at(face.master)].rotation.transpose());
+    preload(records_.back(), stress, joint);
+    if (some_natural) stresses_.push_back(stress);
     links_.push_back({face.master, face.slave});
   }
   if (std::ranges::any_of(faces, [](const JointFace& face) { return face.own.has_value(); }))
@@ -174,6 +185,7 @@ void BondedFaces::carry(Index joint, Parcel& parcel) {
   parcel(records_[at(joint)].state);
   parcel(losses_[at(joint)]);
   if (!paths_.empty()) parcel(paths_[at(joint)]);
+  if (!stresses_.empty()) parcel(stresses_[at(joint)]);
   by_rate_.carry(joint, parcel);
   parcel(table_[joint]);
   strain_table_.carry(joint, parcel);
@@ -184,6 +196,7 @@ void BondedFaces::columns(Archive& archive) {
   archive("losses", losses_);
   archive("slip_paths", paths_);
   archive("was_sheared", was_sheared_);
+  if (!stresses_.empty()) archive("stresses", stresses_);
   by_rate_.columns(archive);
   archive("slots", table_.slots);
   strain_table_.columns(archive);

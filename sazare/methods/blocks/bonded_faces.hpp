@@ -38,7 +38,7 @@ public:
     return own_springs_.empty() ? kind : kind.with(own_springs_[static_cast<std::size_t>(joint)]);
   }
   JointState state(Index joint) const { return record(joint).state; }
-  /// Whether a joint was never bonded.
+  /// Whether the law of a joint is one of natural joints.
   bool is_natural(Index joint) const { return elastic_[static_cast<std::size_t>(record(joint).kind)].is_natural; }
   /// On the second body as last evaluated, dashpots included [N].
   Vector3 force(Index joint) const { return table_[joint].total.linear; }
@@ -64,6 +64,12 @@ public:
   /// Path of slip of the vertices of a joint; none where no law remembers it.
   std::span<const SlipPath> slip_paths() const { return paths_; }
 
+  /// Stress of the vertices of a natural joint as last evaluated; 0 where no joint of the run is natural.
+  FaceStress last_stress(Index joint) const {
+    return stresses_.empty() ? FaceStress{Vector3::Zero(), Vector3::Zero(), Vector3::Zero()}
+                             : stresses_[static_cast<std::size_t>(joint)];
+  }
+
   /// Joints that came apart since the last call, in rising order.
   std::vector<Index> take_broken();
 
@@ -82,6 +88,7 @@ protected:
   terms::StrainTable<2, 1> strain_table_;
   terms::Events failed_;         ///< joints, in the present step
   std::vector<SlipPath> paths_;  ///< by joint; empty where no law remembers slip
+  std::vector<FaceStress> stresses_;  ///< by joint, as last evaluated; empty where none is natural
   terms::Events sheared_;        ///< joints without strength that are pressed together, after the present step
 
 private:

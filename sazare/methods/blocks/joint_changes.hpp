@@ -18,7 +18,8 @@ struct FaceGeometry {
   LaneVector opening;                                    ///< d_n, by vertex [m]
   std::array<std::array<Lanes, 2>, vertex_count> shear;  ///< d_t less the slip so far [m]
   LaneVector peak;
-  LaneVector path;  ///< of slip [m], only where the law remembers it
+  LaneVector path;                              ///< of slip [m], only where the law remembers it
+  std::array<LaneVector, vertex_count> stress;  ///< only of natural joints: as last evaluated, and then as now [Pa]
   Lanes vertex_area;
   std::array<Lanes, 3> spread;
 };

@@ -52,7 +52,12 @@ void slide(const JointParameters<Law, Lanes>& kind, int v, const LaneMask& may_s
     if (may_slip[lane] == 0) continue;
     const auto closure = lane_of<typename Law::template Tension<Real>>(kind.tension, lane);
     const auto rough = lane_of<typename Law::template Shear<Real>>(kind.shear, lane);
-    laws::RoughVertex vertex{{shear[0][lane], shear[1][lane]}, at.peak[v][lane] - at.opening[v][lane], at.path[v][lane]};
+    const LaneVector& before = at.stress[static_cast<std::size_t>(v)];
+    laws::RoughVertex vertex{.elastic = {shear[0][lane], shear[1][lane]},
+                             .compression = at.peak[v][lane] - at.opening[v][lane],
+                             .path = at.path[v][lane],
+                             .shear_before = {before[1][lane], before[2][lane]},
+                             .pressure_before = -before[0][lane]};
     if (!slide(closure, rough, vertex)) continue;
     for (std::size_t axis = 0; axis < 2; ++axis) {
       shear[axis][lane] = vertex.elastic[axis];
@@ -63,6 +68,35 @@ void slide(const JointParameters<Law, Lanes>& kind, int v, const LaneMask& may_s
     stress[v][lane] = -closing_pressure(closure, at.peak[v][lane] - at.opening[v][lane]);
     change.slip_work[lane] += at.vertex_area[lane] * vertex.dissipation;
     change.slipped[lane] = -1;
+  }
+}
+
+/// Keeps the stress that the joints bear now.
+template <laws::DilatesBySlip Law>
+void note_stress(const JointParameters<Law, Lanes>& kind, const LaneVector& stress, FaceGeometry& at) {
+  for (std::size_t v = 0; v < vertex_count; ++v)
+    at.stress[v] = {{stress[static_cast<int>(v)], kind.shear.stiffness * at.shear[v][0], kind.shear.stiffness * at.shear[v][1]}};
+}
+
+/// Takes from the force of the dashpots of a vertex [N] what the joint does not bear: an open one has none, and along the face
+/// friction bounds springs and dashpots together.
+template <laws::DilatesBySlip Law>
+void limit_dashpots(const JointParameters<Law, Lanes>& kind, const FaceGeometry& at, std::size_t v, LaneVector& force) {
+  const auto i = static_cast<int>(v);
+  const LaneMask is_open = at.opening[i] > at.peak[i];
+  for (int axis = 0; axis < 3; ++axis) force[axis] = select(is_open, Lanes{}, force[axis]);
+  const LaneVector borne = at.vertex_area * at.stress[v];
+  const Lanes x = borne[1] - force[1], y = borne[2] - force[2], least = least_strength(kind.shear, -borne[0]);
+  const LaneMask may_be_over = x * x + y * y > least * least;
+  if (!any(may_be_over)) return;
+  for (int lane = 0; lane < lane_count; ++lane) {
+    if (may_be_over[lane] == 0) continue;
+    const auto rough = lane_of<typename Law::template Shear<Real>>(kind.shear, lane);
+    const Real strength = at.vertex_area[lane] * rough_strength(rough, -at.stress[v][0][lane],
+                                                                laws::mobilised_roughness(at.path[i][lane] / rough.peak_slip));
+    const Real share = laws::damping_share({borne[1][lane], borne[2][lane]}, {-force[1][lane], -force[2][lane]}, strength);
+    force[1][lane] *= share;
+    force[2][lane] *= share;
   }
 }
 

@@ -12,7 +12,8 @@
 /// derives from a potential and conserves linear and angular momentum exactly. The dashpots' g acts at the middle of the three
 /// points, with the moment that it has about there for vertices that lie in the face as they did at first: that is a dashpot
 /// too, keeps the momenta as exactly, and differs from three at the points by the share that displacements have of a face's size.
-/// Everything is worked out in face axes and turned to world axes once. [Konno2018], 2.1, figs. 1 and 2.
+/// Those of natural joints act at the points, see `limit_dashpots`. Everything is worked out in face axes and turned to world
+/// axes once. [Konno2018], 2.1, figs. 1 and 2.
 
 #include "sazare/levels/terms/lane_slots.hpp"
 #include "sazare/methods/blocks/joint_dilation.hpp"
@@ -56,6 +57,7 @@ std::array<LaneVector, vertex_count> spring_forces(const JointParameters<Law, La
   failed = LaneMask{};
   change.has_happened = any(changes);
   if (change.has_happened) failed = change_joints(kind, peak_before, strength, softened, stress, at, change);
+  if constexpr (laws::DilatesBySlip<Law>) note_stress(kind, stress, at);
   const Lanes area = select(failed, Lanes{}, -at.vertex_area), shear_area = area * kind.shear.stiffness;
   const auto force = [&](std::size_t v) {
     return LaneVector{{area * stress[static_cast<int>(v)], shear_area * at.shear[v][0], shear_area * at.shear[v][1]}};
@@ -69,13 +71,6 @@ FaceSums springs(const JointParameters<Law, Lanes>& kind, FaceGeometry& at, Lane
   FaceSums sums = FaceSums::of(at.point[0], force[0]);
   for (std::size_t v = 1; v < vertex_count; ++v) sums.add(at.point[v], force[v]);
   return sums;
-}
-
-/// Which joints have no dashpot: those that have failed, and natural ones that are open.
-template <class Law>
-LaneMask undamped(const JointParameters<Law, Lanes>&, const FaceGeometry& at, const LaneMask& failed) {
-  if constexpr (laws::DilatesBySlip<Law>) return failed | is_open(at, Lanes{});
-  return failed;
 }
 
 template <class Law>
@@ -95,6 +90,24 @@ FaceSums dashpots(const JointParameters<Law, Lanes>& kind, const FaceGeometry& a
   return {force, add_product(broadcast(1.0 / vertex_count), cross(sum, force), about_middle)};
 }
 
+/// Those of natural joints, which act at the vertices: friction bounds what each bears.
+template <laws::DilatesBySlip Law>
+FaceSums dashpots(const JointParameters<Law, Lanes>& kind, const FaceGeometry& at, const LaneMask& without,
+                  const state::LaneVelocities& master, const state::LaneVelocities& slave) {
+  const LaneVector spin = transposed(at.axes, slave.spin - master.spin);
+  const LaneVector velocity = transposed(at.axes, add_cross(at.between, slave.spin, slave.velocity - master.velocity));
+  const Lanes minus = select(without, Lanes{}, -at.vertex_area);
+  FaceSums sums{};
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    const LaneVector speed = add_cross(spin, at.point[v], velocity);
+    LaneVector force{
+        {minus * kind.normal_damping * speed[0], minus * kind.shear_damping * speed[1], minus * kind.shear_damping * speed[2]}};
+    limit_dashpots(kind, at, v, force);
+    sums.add(at.point[v], force);
+  }
+  return sums;
+}
+
 /// From face axes to world axes, and from the master's centre to the pole, from which that centre is given.
 inline terms::LanePairForce face_force(const FaceGeometry& at, const LaneVector& centre, const FaceSums& sums) {
   const LaneVector force = at.axes * sums.force;
@@ -107,8 +120,7 @@ JointForce evaluate(FaceGeometry& at, const JointParameters<Law, Lanes>& kind,
                     const LanePointers<const state::Motion<3>>& masters, const LanePointers<const state::Motion<3>>& slaves,
                     const Vector3& pole, LaneMask& failed, JointChange& change) {
   const FaceSums held = springs(kind, at, failed, change);
-  const FaceSums damped =
-      dashpots(kind, at, undamped(kind, at, failed), state::load_velocities(masters), state::load_velocities(slaves));
+  const FaceSums damped = dashpots(kind, at, failed, state::load_velocities(masters), state::load_velocities(slaves));
   const LaneVector centre = at.master - broadcast(pole);
   return {face_force(at, centre, held + damped), face_force(at, centre, damped)};
 }

@@ -47,10 +47,11 @@ struct ElasticJoint : JointSprings {
   Real largest_stress = 0;   ///< at that opening [Pa]
   bool is_natural = false;
   laws::JointClosure<Real> closure{1, 0, 1};  ///< of a natural joint; its springs are those above
+  laws::RoughShear<Real> rough = {};          ///< and likewise
 
   /// The elastic joint of this kind on a face that has its own springs: the strength of the kind stays.
   ElasticJoint with(const JointSprings& own) const {
-    return {own, largest_stress / own.normal_stiffness, largest_stress, is_natural, closure};
+    return {own, largest_stress / own.normal_stiffness, largest_stress, is_natural, closure, rough};
   }
 
   /// The opening [m] at which it bears a normal stress, tension positive [Pa].
@@ -70,6 +71,7 @@ ElasticJoint elastic_joint(const JointParameters<Law, Real>& kind) {
   if constexpr (laws::DilatesBySlip<Law>) {
     joint.is_natural = true;
     joint.closure = kind.tension;
+    joint.rough = kind.shear;
   }
   return joint;
 }

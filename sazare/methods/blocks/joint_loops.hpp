@@ -89,9 +89,11 @@ template <class Law>
   const auto joint_of = [&](std::size_t lane) { return in_lanes[lane].link; };
   FaceGeometry at_face = face_geometry(LaneJoints<JointRecord>{records}, masters, slaves);
   if constexpr (laws::RemembersPath<Law>) at_face.path = load_paths(joint_of);
+  if constexpr (laws::DilatesBySlip<Law>) at_face.stress = load_stresses(joint_of);
   const auto& kind = present_parameters(kinds, now, due, records, joint_of, at_face);
   const JointForce force = blocks::evaluate(at_face, kind, masters, slaves, bodies.pole, failed, change);
   terms::write(slots, now, in_lanes, force.total, force.dashpots, failed);
+  if constexpr (laws::DilatesBySlip<Law>) note_stresses(due, at_face);
   if (change.has_happened) note_changes<Law>(records, due, change);
 }
 
@@ -124,11 +126,13 @@ template <class Law>
   FaceGeometry at_face = face_geometry(joints, masters, slaves);
   const StrainedFace strained = strain_face(joints, corners, load_strain(master_strains), load_strain(slave_strains), at_face);
   if constexpr (laws::RemembersPath<Law>) at_face.path = load_paths(joint_of);
+  if constexpr (laws::DilatesBySlip<Law>) at_face.stress = load_stresses(joint_of);
   const auto& kind = present_parameters(kinds, now, due, records, joint_of, at_face);
   const StrainedJointForce found =
       blocks::evaluate_strained(at_face, strained, kind, masters, slaves, bodies.pole, failed, change);
   terms::write(strain_slots, slots, side_by_side(found.total), side_by_side(found.dashpots), failed);
   terms::write(slots, now, in_lanes, found.force.total, found.force.dashpots, failed);
+  if constexpr (laws::DilatesBySlip<Law>) note_stresses(due, at_face);
   if (change.has_happened) note_changes<Law>(records, due, change);
 }
 
@@ -213,6 +217,24 @@ LaneVector JointsOf<Laws>::load_paths(const JointOfLane& joint_of) const {
     for (std::size_t v = 0; v < vertex_count; ++v)
       path[static_cast<int>(v)][static_cast<int>(lane)] = paths_[at(joint_of(lane))][v];
   return path;
+}
+
+/// Stresses that the vertices of the joints bore when they were last evaluated.
+template <class Laws>
+template <class JointOfLane>
+std::array<LaneVector, vertex_count> JointsOf<Laws>::load_stresses(const JointOfLane& joint_of) const {
+  std::array<LaneVector, vertex_count> stress;
+  for (std::size_t lane = 0; lane < lane_count; ++lane)
+    for (std::size_t v = 0; v < vertex_count; ++v)
+      for (int axis = 0; axis < 3; ++axis) stress[v][axis][static_cast<int>(lane)] = stresses_[at(joint_of(lane))][v][axis];
+  return stress;
+}
+
+template <class Laws>
+void JointsOf<Laws>::note_stresses(std::span<const Due> due, const FaceGeometry& at_face) {
+  for (std::size_t n = 0; n < due.size(); ++n)
+    for (std::size_t v = 0; v < vertex_count; ++v)
+      for (int axis = 0; axis < 3; ++axis) stresses_[at(due[n].link)][v][axis] = at_face.stress[v][axis][static_cast<int>(n)];
 }
 
 /// What a law that remembers the path of slip has besides: paths of slip, fracture energies, and joints that have lost their

@@ -81,6 +81,9 @@ struct JointLosses {
 /// Path of slip of the vertices of a joint whose law remembers it [m].
 using SlipPath = std::array<Real, vertex_count>;
 
+/// Stress at the vertices of a face, across it with tension positive and along it, in face axes [Pa].
+using FaceStress = std::array<Vector3, vertex_count>;
+
 /// Joints in lanes; `Record` is a JointRecord, const or not. Each part is read where it is needed: all of it together would not
 /// stay in registers. The pointers stay where they are: a copy of what has just been written one by one makes a processor wait
 /// until all that came before is done.

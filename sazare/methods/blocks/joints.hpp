@@ -57,6 +57,9 @@ private:
   void add_work(std::span<const Due> due, const JointChange& change);
   template <class JointOfLane>
   LaneVector load_paths(const JointOfLane& joint_of) const;
+  template <class JointOfLane>
+  std::array<LaneVector, vertex_count> load_stresses(const JointOfLane& joint_of) const;
+  void note_stresses(std::span<const Due> due, const FaceGeometry& at_face);
   void follow_slip(std::span<const Due> due, const JointChange& change);
   LaneBits lanes_of(std::size_t law, Index begin, Index end) const;
   void add_energies(Index begin, Index end, const terms::Synchronized<3>& synchronized, terms::EnergySums& energies) const;

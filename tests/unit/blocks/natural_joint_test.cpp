@@ -8,6 +8,7 @@
 #include <random>
 
 #include "sazare/methods/blocks/run/block_fragments.hpp"
+#include "sazare/methods/blocks/run/natural_joints.hpp"
 #include "sazare/methods/blocks/run/parts.hpp"
 #include "tests/support/bonded_pair.hpp"
 
@@ -91,6 +92,21 @@ TEST(natural_joint, direct_shear_has_the_peak_of_barton_and_dilates) {
   }
 }
 
+/// 1/(1/V_m + K_ni/s) is 0.0448 mm under 1 MPa; at twice the slip of the peak 0.85 of JRC is left.
+TEST(natural_joint, snapshots_tell_of_path_roughness_closure_and_dilation) {
+  EXPECT_FALSE(runs::natural_joints(BondedPair().joints()).are_there());
+  BondedPair pair(natural_joint());
+  const Real peak_slip = 0.1 / 500 * std::cbrt(100.0);
+  slide(pair, 1e6, 0, 2 * peak_slip, 4000);
+  const runs::NaturalJoints seen = runs::natural_joints(pair.joints());
+  EXPECT_NEAR(seen.path[0], 2 * peak_slip, 0.02 * peak_slip);
+  EXPECT_NEAR(seen.mobilised_jrc[0], 8.5, 0.02);
+  EXPECT_NEAR(seen.closure[0], 0.0448e-3, 5e-7);
+  EXPECT_EQ(seen.dilation[0], std::max({pair.joints().record(0).vertex[0].peak, pair.joints().record(0).vertex[1].peak,
+                                        pair.joints().record(0).vertex[2].peak}));
+  EXPECT_GT(seen.dilation[0], 1e-4);
+}
+
 TEST(natural_joint, forces_derive_from_the_energy) {
   BondedPair pair(natural_joint());
   slide(pair, 2e6, 0, 5e-4, 200);
@@ -145,16 +161,16 @@ TEST(natural_joint, any_path_balances) {
       const auto now = pair.forces()[1];
       work -= 0.5 * ((before.linear + now.linear).dot(way) + (before.angular + now.angular).dot(turn)) / steps;
       before = now;
-      const Real lost = pair.probe().energy_balance()[EnergyKind::slip];
-      ASSERT_GE(lost, dissipated - 1e-12) << leg << " " << step;
-      dissipated = lost;
       largest = std::max(largest, std::abs(work));
     }
+    const Real lost = pair.probe().energy_balance()[EnergyKind::slip];
+    EXPECT_GT(lost, dissipated) << leg;
+    dissipated = lost;
   }
   const auto balance = pair.probe().energy_balance();
   EXPECT_GT(balance[EnergyKind::slip], 0.1 * largest);
   EXPECT_EQ(balance[EnergyKind::fracture], 0);
-  EXPECT_NEAR(work, balance[EnergyKind::elastic] + dissipated, 5e-3 * largest);
+  EXPECT_NEAR(work, balance[EnergyKind::elastic] + dissipated, 1e-4 * largest);
 }
 
 TEST(natural_joint, opened_by_a_tenth_of_its_size_it_is_left_to_contact) {
@@ -180,6 +196,59 @@ TEST(natural_joint, dashpots_act_only_where_it_is_closed) {
   EXPECT_LT(pair.forces()[1].linear.x(), 0.5 * -22.6e6 * pair.area() + 450e9 * 1e-5 * pair.area());
 }
 
+/// Sliding at 0.5 m/s the dashpot alone would bear 5 MPa; friction bounds it together with the springs.
+TEST(natural_joint, dashpots_never_lift_the_shear_stress_above_the_strength) {
+  auto plane = natural_joint();
+  const auto own = BartonBandis::Own{0.0, 100e6, 30.0, 0.1};
+  std::ranges::copy(own, plane.law_parameters.end() - own.size());
+  BondedPair pair(plane);
+  pair.place(-1e-5, 1e-3);
+  const Real strength = pair.stress().y(), pressure = -pair.stress().x();
+  EXPECT_NEAR(strength, pressure * std::tan(30 * degree), 1e-9 * strength);
+  for (const Real speed : {0.5, -0.6}) {
+    pair.bodies().motion[1].velocity = Vector3(0, speed, 0);
+    EXPECT_NEAR(pair.stress().y(), std::copysign(strength, speed), 1e-9 * strength) << "it slides";
+  }
+  pair.bodies().motion[1].velocity = Vector3(0, -0.01, 0);
+  EXPECT_NEAR(pair.stress().y(), strength - 0.01 * 10.1e6, 1e-6 * strength) << "it is let back, which the dashpot resists";
+}
+
+/// The same as it is run, with rigid and with deformable elements.
+TEST(natural_joint, a_sliding_block_is_held_by_friction_alone) {
+  for (const bool deformable : {false, true}) {
+    auto blocks = test::two_block_case(true);
+    blocks.joints[0] = natural_joint();
+    blocks.joints[0].normal_damping = 0;
+    const auto own = BartonBandis::Own{0.0, 100e6, 30.0, 0.1};
+    std::ranges::copy(own, blocks.joints[0].law_parameters.end() - own.size());
+    if (deformable) {
+      for (cases::Material& material : blocks.materials) {
+        material.youngs_modulus = 30e9;
+        material.poisson_ratio = 0.2;
+        material.deformable = true;
+      }
+    }
+    blocks.constraints.push_back({{"left", "right"}, {false, false, false}, {true, true, true}});
+    test::move(blocks, "left", {1, -2, 0});
+    test::move(blocks, "right", {-1, 2, 0});
+    blocks.time.base_step = 1e-7;
+    auto model = runs::build_blocks(blocks, test::two_blocks());
+    model.simulation->start();
+    int sliding = 0;
+    while (model.simulation->now().seconds() < 5e-5) {
+      model.simulation->advance();
+      const Vector3 force = model.joints->force(0);
+      const Real along = std::hypot(force.y(), force.z()), most = std::tan(30 * degree) * std::abs(force.x());
+      ASSERT_LE(along, most * (1 + 1e-5)) << deformable << " " << model.simulation->now().seconds();
+      if (along > 0.99 * most && most > 0) ++sliding;
+    }
+    EXPECT_GT(sliding, 20);
+    const auto balance = model.simulation->energy_balance();
+    EXPECT_GT(balance[EnergyKind::slip], 0);
+    EXPECT_LT(std::abs(balance.residual()), 1e-3 * balance[EnergyKind::slip]);
+  }
+}
+
 /// Each joint begins with the compression that bears the initial stress.
 TEST(natural_joint, initial_stress_is_borne_from_the_beginning) {
   auto blocks = test::two_block_case(true);
@@ -193,6 +262,27 @@ TEST(natural_joint, initial_stress_is_borne_from_the_beginning) {
   EXPECT_NEAR(std::abs(stress.y()), 1e6, 1);
   EXPECT_EQ(model.joints->state(0), JointState::intact);
   EXPECT_EQ(runs::find_fragments(2, *model.joints).count, 2) << "a natural joint parts fragments";
+}
+
+/// An initial stress between the residual strength, 2.31 MPa, and that at the peak, 3.86 MPa, makes the joint slip at once; what
+/// that takes of the energy of the start is told.
+TEST(natural_joint, begins_with_its_residual_friction) {
+  auto blocks = test::two_block_case(true);
+  blocks.joints[0] = natural_joint();
+  blocks.joints[0].normal_damping = blocks.joints[0].shear_damping = 0;
+  blocks.initial_stress.normal = Vector3(-4e6, -1e6, -1e6);
+  blocks.initial_stress.shear = Vector3(2e6, 0, 0);
+  EXPECT_EQ(runs::build_blocks(blocks, test::two_blocks()).fit.overstressed.front().faces, 0);
+  blocks.initial_stress.shear = Vector3(3e6, 0, 0);
+  blocks.time.base_step = 1e-8;
+  auto model = runs::build_blocks(blocks, test::two_blocks());
+  EXPECT_EQ(model.fit.overstressed.front().faces, 1);
+  EXPECT_NEAR(model.fit.overstressed.front().worst, 3 / (4 * std::tan(30 * degree)), 1e-3);
+  model.simulation->start();
+  for (int step = 0; step < 100; ++step) model.simulation->advance();
+  const auto balance = model.simulation->energy_balance();
+  EXPECT_GT(balance[EnergyKind::slip], 0);
+  EXPECT_LT(std::abs(balance.residual()), 1e-3 * balance[EnergyKind::slip]);
 }
 
 /// Joints of a bar, moved at random: evaluated together or one by one they have the same bits, so threads and ranks do not
@@ -230,21 +320,30 @@ TEST(natural_joint, has_the_same_bits_whoever_is_evaluated_beside_it) {
   EXPECT_GT(slipped, lane_count);
 }
 
-/// Two blocks run into each other and slide along their joint, and part again.
-TEST(natural_joint, a_run_closes_its_energy_balance) {
+/// Two blocks run into each other and slide along their joint, and part again; returns the residual of the balance over what slip
+/// has taken. Without an aperture dilation in one step is much of the compression of the springs.
+Real residual_of_run(Real step, bool closes) {
   auto blocks = test::two_block_case(true);
   blocks.joints[0] = natural_joint();
   blocks.joints[0].normal_damping = blocks.joints[0].shear_damping = 0;
+  if (!closes) *(blocks.joints[0].law_parameters.end() - own_numbers().size() + BartonBandis::joint_aperture) = std::nullopt;
   blocks.constraints.push_back({{"left", "right"}, {false, false, false}, {true, true, true}});
   test::move(blocks, "left", {2, -4, 0});
   test::move(blocks, "right", {-2, 4, 0.5});
-  blocks.time.base_step = 2e-8;
+  blocks.time.base_step = step;
   auto model = runs::build_blocks(blocks, test::two_blocks());
   model.simulation->start();
   while (model.simulation->now().seconds() < 4e-4) model.simulation->advance();
   const auto balance = model.simulation->energy_balance();
   EXPECT_GT(balance[EnergyKind::slip], 0);
-  EXPECT_LT(std::abs(balance.residual()), 1e-3 * std::abs(balance[EnergyKind::slip]));
+  return std::abs(balance.residual() / balance[EnergyKind::slip]);
+}
+
+TEST(natural_joint, a_run_closes_its_energy_balance_to_second_order) {
+  EXPECT_LT(residual_of_run(2e-8, true), 1e-5);
+  const Real coarse = residual_of_run(2e-8, false), fine = residual_of_run(5e-9, false);
+  EXPECT_LT(coarse, 1e-4);
+  EXPECT_LT(fine, coarse / 8) << "a quarter of the step, a sixteenth of the residual";
 }
 
 }  // namespace

@@ -159,7 +159,6 @@ struct Vertex {
   Real opening = 0, dilation = 0, path = 0;
   Real elastic[2] = {0, 0}, slip[2] = {0, 0};
   Real work = 0, dissipated = 0;  ///< work by the trapezium rule [J/m2]
-  Real least_dissipation = 0;     ///< of a step
 
   Real pressure() const { return closing_pressure(law.closure, dilation - opening); }
   Real shear_stress() const { return law.rough.stiffness * std::hypot(elastic[0], elastic[1]); }
@@ -170,7 +169,11 @@ struct Vertex {
   void move(Real open, Real x, Real y) {
     const Real pressure_before = pressure(), before[2] = {elastic[0], elastic[1]};
     opening += open;
-    RoughVertex at{{elastic[0] + x, elastic[1] + y}, dilation - opening, path};
+    RoughVertex at{.elastic = {elastic[0] + x, elastic[1] + y},
+                   .compression = dilation - opening,
+                   .path = path,
+                   .shear_before = {law.rough.stiffness * before[0], law.rough.stiffness * before[1]},
+                   .pressure_before = pressure_before};
     slide(law.closure, law.rough, at);
     for (int axis = 0; axis < 2; ++axis) {
       elastic[axis] = at.elastic[axis];
@@ -179,7 +182,6 @@ struct Vertex {
     path = at.path;
     dilation += at.dilation;
     dissipated += at.dissipation;
-    least_dissipation = std::min(least_dissipation, at.dissipation);
     work -= 0.5 * (pressure_before + pressure()) * open;
     work += 0.5 * law.rough.stiffness * ((before[0] + elastic[0]) * x + (before[1] + elastic[1]) * y);
   }
@@ -199,7 +201,7 @@ TEST(joint_barton_bandis, a_plane_joint_slips_by_its_residual_friction_without_d
   }
   EXPECT_NEAR(vertex.shear_stress(), 5e6 * std::tan(30 * degree), 1e-3);
   EXPECT_EQ(vertex.dilation, 0);
-  EXPECT_NEAR(vertex.dissipated, vertex.shear_stress() * vertex.slip[0], 1e-6 * vertex.dissipated);
+  EXPECT_NEAR(vertex.dissipated, vertex.work - vertex.stored(), 1e-9 * vertex.dissipated);
 }
 
 /// The peak is there at the peak slip, and the joint has dilated by the integral of tan(i/M).
@@ -222,7 +224,7 @@ TEST(joint_barton_bandis, direct_shear_under_constant_pressure) {
     EXPECT_NEAR(largest, pressure * std::tan(30 * degree + full), 2e-3 * largest) << pressure;
     EXPECT_NEAR(slip_there, peak_slip, 2e-3 * peak_slip) << pressure;
     EXPECT_NEAR(vertex.dilation, expected, 2e-3 * expected) << pressure;
-    EXPECT_NEAR(vertex.work, vertex.stored() + vertex.dissipated, 1e-3 * vertex.work) << pressure;
+    EXPECT_NEAR(vertex.work, vertex.stored() + vertex.dissipated, 1e-6 * vertex.work) << pressure;
   }
 }
 
@@ -246,7 +248,7 @@ TEST(joint_barton_bandis, an_open_joint_bears_nothing_and_does_not_wear) {
   EXPECT_NEAR(vertex.pressure(), 1e6, 1e-3);
 }
 
-/// One evaluation of a jump in place or of many small ones: none gives energy.
+/// One evaluation of a jump in place or of many small ones: with the stresses after it, none gives energy.
 TEST(joint_barton_bandis, no_slip_gains_however_far_it_goes) {
   std::mt19937 random(2);
   std::uniform_real_distribution<Real> number(0, 1);
@@ -258,8 +260,33 @@ TEST(joint_barton_bandis, no_slip_gains_however_far_it_goes) {
     RoughVertex at{{1e-4 * spread(3), 1e-5 * spread(2)}, 1e-4 * spread(3), law.rough.peak_slip * spread(2)};
     const Real scale = law.rough.stiffness * (at.elastic[0] * at.elastic[0] + at.elastic[1] * at.elastic[1]);
     slide(law.closure, law.rough, at);
-    ASSERT_GE(at.dissipation, -1e-12 * scale) << trial;
+    const Real friction = law.rough.stiffness * (at.elastic[0] * at.slip[0] + at.elastic[1] * at.slip[1]);
+    ASSERT_GE(friction - closing_pressure(law.closure, at.compression) * at.dilation, -1e-12 * scale) << trial;
   }
+}
+
+/// However the dashpot pulls, both together are within the circle of the strength, and the dashpot is whole where it fits.
+TEST(joint_barton_bandis, friction_bounds_spring_and_dashpot_together) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<Real> number(-1, 1);
+  int whole = 0, none = 0;
+  for (int trial = 0; trial < 20000; ++trial) {
+    const Real strength = trial % 5 == 0 ? 0 : std::abs(number(random)), angle = std::numbers::pi * number(random);
+    const Real borne = trial % 3 == 0 ? strength : strength * std::abs(number(random));
+    const std::array<Real, 2> stress{borne * std::cos(angle), borne * std::sin(angle)}, dashpot{number(random), number(random)};
+    const Real share = damping_share(stress, dashpot, strength);
+    const auto length = [&](Real of) { return std::hypot(stress[0] + of * dashpot[0], stress[1] + of * dashpot[1]); };
+    ASSERT_GE(share, 0) << trial;
+    ASSERT_LE(share, 1) << trial;
+    ASSERT_LE(length(share), strength + 1e-7) << trial;
+    if (share < 1) {
+      ASSERT_GE(length(std::min(share + 1e-3, Real{1})), strength - 1e-7) << trial << ": it might be more";
+    }
+    whole += share == 1;
+    none += share == 0;
+  }
+  EXPECT_GT(whole, 1000);
+  EXPECT_GT(none, 1000);
 }
 
 /// Back where it began, a vertex has given back less than it was given, in whatever order it is closed, opened and sheared.
@@ -278,9 +305,8 @@ TEST(joint_barton_bandis, a_closed_cycle_never_gains) {
       for (int step = 0; step < 2000; ++step) vertex.move((to[0] - at[0]) / 2000, (to[1] - at[1]) / 2000, (to[2] - at[2]) / 2000);
       std::copy(std::begin(to), std::end(to), std::begin(at));
     }
-    EXPECT_GE(vertex.least_dissipation, -1e-12) << trial;
     EXPECT_GT(vertex.work - vertex.stored(), 0) << trial;
-    EXPECT_NEAR(vertex.work, vertex.stored() + vertex.dissipated, 5e-3 * vertex.work) << trial;
+    EXPECT_NEAR(vertex.work, vertex.stored() + vertex.dissipated, 1e-4 * vertex.work) << trial;
   }
 }
 

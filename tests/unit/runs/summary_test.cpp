@@ -36,6 +36,18 @@ TEST(summary, does_not_weigh_the_energies_of_what_does_not_move) {
   EXPECT_NE(balance_warning(manifest), "");
 }
 
+/// Nor what is left of the forces of a body that has settled before the run.
+TEST(summary, does_not_weigh_what_is_left_of_settling) {
+  observe::Manifest manifest = with_balance(0, -48e-9);
+  manifest.results.emplace_back("energy_elastic", 24e-9);
+  manifest.results.emplace_back("throw_max", 8e-10);
+  EXPECT_NE(balance_warning(manifest), "") << "it has not settled";
+  manifest.results.emplace_back("settlement", 1e-5);
+  EXPECT_EQ(balance_warning(manifest), "");
+  manifest.results[3].second = 1e-7;
+  EXPECT_NE(balance_warning(manifest), "") << "it has moved since";
+}
+
 /// Nor those of ground that rests under its stress, whose displacements a run does not tell.
 TEST(summary, does_not_weigh_the_energies_of_ground_at_rest) {
   observe::Manifest manifest = with_balance(0, 6e-13);

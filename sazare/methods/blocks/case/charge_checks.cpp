@@ -142,6 +142,16 @@ void check_cracks(const CheckContext& context, const Entry& entry, const Charge&
   check_keys(context, entry, fmt::format("gas_in_cracks {}", word(charge.gas_in_cracks)), {}, foreign);
 }
 
+/// Gas does not know of joints that the rock has already.
+void warn_of_natural_joints(const CheckContext& context, const Entry& entry, const Charge& charge, const BlocksCase& blocks) {
+  const auto natural = std::ranges::find_if(blocks.joints, &Joint::is_natural);
+  if (charge.gas_in_cracks == GasInCracks::none || natural == blocks.joints.end()) return;
+  context.problems.warning(
+      entry.place("gas_in_cracks"),
+      fmt::format("gas does not enter the natural joint \"{}\" before its faces have parted as a whole", natural->name),
+      "where gas in existing joints matters, give the joint bonded = false, or keep in mind that this run has none there");
+}
+
 /// A detonator cannot fire before the run begins.
 void check_scatter(const CheckContext& context, const Entry& entry, const Charge& charge, std::size_t place) {
   if (!entry.gives("delay_scatter") || !(charge.delay_scatter > 0) || charge.firing_time(place) > 0) return;
@@ -173,6 +183,7 @@ void check_charges(const CheckContext& context, const BlocksCase& blocks) {
       if (is_placed[other]) check_decks(context, list[i], charge, blocks.charges[other]);
     check_collar(context, list[i], charge, blocks.charges);
     check_cracks(context, list[i], charge);
+    warn_of_natural_joints(context, list[i], charge, blocks);
     check_scatter(context, list[i], charge, i);
     check_delay(context, list[i], charge, blocks.time.end);
     for (const Blast& blast : blocks.blasts)

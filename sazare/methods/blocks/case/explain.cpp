@@ -106,9 +106,9 @@ void explain_natural(Explanation& text, const Joint& joint) {
     friction.push_back(fmt::format("{} deg under {}",
                                    number(std::atan(laws::rough_strength(rough, pressure, 1) / pressure) * degrees, 3),
                                    stress_text(pressure)));
-  text.more(fmt::format("natural: JRC {} and JCS {} at its length, friction angle at the peak {}",
+  text.more(fmt::format("natural: JRC {} and JCS {} at its length, friction angle {} deg at first and at the peak {}",
                         number(laws::BartonBandis::roughness_of(own), 3), stress_text(rough.wall_strength),
-                        fmt::join(friction, ", ")));
+                        number(rough.residual_angle * degrees, 3), fmt::join(friction, ", ")));
   text.more(fmt::format("peak at a slip of {} m", number(rough.peak_slip, 3)));
   const Real closure = laws::BartonBandis::closure_of(own);
   text.more(closure > 0 ? fmt::format("closes by up to {} m, at first with {} Pa/m", number(closure, 3),
@@ -133,6 +133,10 @@ void explain_joint(Explanation& text, const Joint& joint) {
       joint.damping_ratio ? fmt::format("damping ratio {}", number(*joint.damping_ratio))
                           : fmt::format("dashpots {} and {} Pa s/m", number(joint.normal_damping), number(joint.shear_damping));
   text.more(fmt::format("{}, {} (normal, shear)", springs, dashpots));
+  const bool is_damped = joint.damping_ratio ? *joint.damping_ratio > 0 : joint.shear_damping > 0;
+  if (joint.on_surface() && !joint.is_natural() && is_damped)
+    text.more(fmt::format("where it slides, its shear dashpot bears stress beside its strength{}",
+                          joint.damping_ratio ? "" : fmt::format(": {} at 1 m/s", stress_text(joint.shear_damping))));
 }
 
 void explain_contact(Explanation& text, const Contact& contact) {

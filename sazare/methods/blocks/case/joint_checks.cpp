@@ -247,12 +247,12 @@ void check_strengths(const CheckContext& context, const Entry& entry, const Join
 }
 
 void check_bonded(const CheckContext& context, const Entry& entry, const Joint& joint, const BlocksCase& blocks) {
-  const bool has_strength = !joint.is_natural() || !entry.is_sound("law");
-  if (has_strength) check_strengths(context, entry, joint, blocks);
+  if (!entry.is_sound("law")) return;  // what else it takes depends on it
+  if (!joint.is_natural()) check_strengths(context, entry, joint, blocks);
   check_stiffness(context, entry, joint, blocks);
   check_damping(context, entry);
-  if (entry.is_sound("law")) check_parameters_of<laws::JointLaws>(context, entry, "law", joint.law);
-  if (!has_strength) return check_natural_joint(context, entry, joint);
+  check_parameters_of<laws::JointLaws>(context, entry, "law", joint.law);
+  if (joint.is_natural()) return check_natural_joint(context, entry, joint);
   if (entry.has("scatter_seed") && !entry.has("weibull_modulus"))
     context.problems.error(entry.place("scatter_seed"), "scatter_seed without weibull_modulus",
                            "add weibull_modulus, with which strengths scatter, or remove scatter_seed");

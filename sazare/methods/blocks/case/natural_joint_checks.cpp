@@ -14,6 +14,14 @@ constexpr std::array<std::string_view, 9> keys_of_strength{
     "cohesion",        "friction_coefficient", "friction_angle", "tensile_strength",    "fracture_energy",
     "weibull_modulus", "scatter_seed",         "rate_law",       "rate_energy_exponent"};
 constexpr Real most_jrc = 20, most_residual_angle = 70, least_jcs = 1e5, most_aperture = 5e-3, most_damage = 2;
+
+/// Keys that no joint without strength takes.
+std::vector<std::string_view> strength_keys() {
+  std::vector<std::string_view> keys(keys_of_strength.begin(), keys_of_strength.end());
+  for (const laws::LawParameter& parameter : laws::parameters_of_laws<laws::RateLaws>) keys.push_back(parameter.name);
+  return keys;
+}
+
 constexpr std::string_view by_test = "initial_normal_stiffness and maximum_closure";
 
 /// Reports what is wrong with a natural joint, key by key.
@@ -23,7 +31,7 @@ public:
       : context_(context), entry_(entry), own_(laws::own_parameters<laws::JointLaws, BartonBandis>(joint.law_parameters)) {}
 
   void check(const Joint& joint) const {
-    check_keys(context_, entry_, "law barton_bandis", {}, {keys_of_strength.begin(), keys_of_strength.end()},
+    check_keys(context_, entry_, "law barton_bandis", {}, strength_keys(),
                "remove it: a natural joint has no strength without pressure, and its friction follows from jrc, jcs and "
                "residual_friction_angle");
     if (entry_.gives("joint_shear_stiffness") && joint.shear_stiffness == Real{0})
@@ -53,6 +61,10 @@ private:
             fmt::format("residual_friction_angle {} deg is not below {} deg", short_number(*angle),
                         short_number(most_residual_angle)),
             "the friction angle with all roughness is at most 70 deg; residual ones are some 20 to 35 deg");
+    else if (entry_.gives("residual_friction_angle") && *angle == 0)
+      context_.problems.warning(entry_.place("residual_friction_angle"),
+                                "residual_friction_angle 0 deg: before it is rough by slip, the joint has no friction at all",
+                                "residual ones are some 20 to 35 deg");
     if (const auto& damage = own_[BartonBandis::damage];
         entry_.gives("damage_coefficient") && (*damage < 1 || *damage > most_damage))
       error("damage_coefficient", fmt::format("damage_coefficient {} is not from 1 to 2", short_number(*damage)),
@@ -92,14 +104,18 @@ private:
                    fmt::format("joint_aperture {} m is too large for a joint whose sides touch", short_number(aperture)),
                    "it is in m: 0.2 mm are 0.2e-3; tests were with 0.1 to 0.6 mm");
     const Real stiffness = BartonBandis::initial_stiffness_of(own_), closure = BartonBandis::closure_of(own_);
-    if (stiffness > 0 && closure > 0 && closure <= aperture) return;
-    error("joint_aperture",
-          fmt::format("no closure follows from this joint_aperture, jrc and jcs: K_ni would be {} Pa/m and V_m {} m",
-                      short_number(stiffness, 3), short_number(closure, 3)),
-          fmt::format("K_ni must be above 0 and V_m from 0 to the aperture; the formulas come from joints with a jrc of 5 to 15, "
-                      "a jcs of 22 to "
-                      "182 MPa and apertures of 0.1 to 0.6 mm; give {} from tests instead",
-                      by_test));
+    std::string failed;
+    if (stiffness <= 0) failed = fmt::format("K_ni would be {} Pa/m, not above 0", short_number(stiffness, 3));
+    if (closure <= 0 || closure > aperture)
+      failed +=
+          fmt::format("{}V_m would be {} m, {} {} m", failed.empty() ? "" : ", and ", short_number(closure, 3),
+                      closure > 0 ? "more than the aperture of" : "not above", closure > 0 ? short_number(aperture, 3) : "0");
+    if (failed.empty()) return;
+    error(
+        "joint_aperture", fmt::format("no closure follows from this joint_aperture, jrc and jcs: {}", failed),
+        fmt::format("the formulas come from joints with a jrc of 5 to 15, a jcs of 22 to 182 MPa and apertures of 0.1 to 0.6 mm, "
+                    "and fail for many that are tighter, smoother or softer; give {} from tests instead, or a larger aperture",
+                    by_test));
   }
 
   const CheckContext& context_;

@@ -90,9 +90,8 @@ constexpr std::array leading_joint_keys{
         .sentence =
             "How a bonded joint fails. linear_softening: tension softens linearly until the joint breaks, and shear slips at "
             "the Mohr-Coulomb strength without end. mixed_mode: opening and slip use up one strength, each with its fracture "
-            "energy, and friction remains. barton_bandis: a natural rock joint, which was never bonded, closes under pressure, "
-            "and "
-            "dilates and wears as it slips.",
+            "energy, and friction remains. barton_bandis: a natural rock joint, which bears pressure and friction alone, closes "
+            "under pressure, and dilates and wears as it slips.",
         .choices = laws::words_of_laws<laws::JointLaws>},
     Key{.name = "joint_normal_stiffness",
         .type = Type::number,
@@ -119,7 +118,7 @@ constexpr std::array leading_joint_keys{
         .unit = "Pa s/m",
         .range = not_negative,
         .default_text = "0.0",
-        .sentence = "Shear dashpot: shear stress per sliding velocity."},
+        .sentence = "Shear dashpot: shear stress per sliding velocity, beside the strength; of law barton_bandis within it."},
     Key{.name = "damping_ratio",
         .type = Type::number,
         .range = not_negative,
@@ -164,7 +163,7 @@ constexpr std::array leading_joint_keys{
         .type = Type::number,
         .range = {.low = 1},
         .usual = usual::weibull_modulus,
-        .note = "default: all faces have the same strength",
+        .note = "default: all faces have the same strength; not for law barton_bandis",
         .sentence =
             "Lets strengths and fracture energies scatter from face to face by Weibull's distribution with this modulus about "
             "those given here, which are the means."},
@@ -180,6 +179,7 @@ constexpr std::array rate_keys{
     Key{.name = "rate_law",
         .type = Type::choice,
         .default_text = "\"none\"",
+        .note = "not for law barton_bandis",
         .sentence =
             "How tensile strength, cohesion and fracture energies grow with the rate of strain at which the joint is opened: "
             "not, as "

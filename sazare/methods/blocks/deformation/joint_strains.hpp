@@ -74,6 +74,7 @@ VertexForces vertex_dashpots(const JointParameters<Law, Lanes>& kind, const Face
   for (std::size_t v = 0; v < vertex_count; ++v) {
     const LaneVector speed = add_cross(spin, at.point[v], velocity + face.opening_speed[v]);
     forces[v] = {{across * speed[0], along * speed[1], along * speed[2]}};
+    if constexpr (laws::DilatesBySlip<Law>) limit_dashpots(kind, at, v, forces[v]);
   }
   return forces;
 }
@@ -118,8 +119,8 @@ StrainedJointForce evaluate_strained(FaceGeometry& at, const StrainedFace& face,
                                      const LanePointers<const state::Motion<3>>& slaves, const Vector3& pole, LaneMask& failed,
                                      JointChange& change) {
   VertexForces total = spring_forces(kind, at, failed, change);
-  const VertexForces damped = vertex_dashpots(kind, at, face, undamped(kind, at, failed), state::load_velocities(masters),
-                                              state::load_velocities(slaves));
+  const VertexForces damped =
+      vertex_dashpots(kind, at, face, failed, state::load_velocities(masters), state::load_velocities(slaves));
   for (std::size_t v = 0; v < vertex_count; ++v) total[v] = total[v] + damped[v];
   const LaneVector centre = at.master - broadcast(pole);
   return {{face_force(at, centre, sums_of(at, total)), face_force(at, centre, sums_of(at, damped))},

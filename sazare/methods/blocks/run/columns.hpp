@@ -104,12 +104,18 @@ inline constexpr std::array joints = {
     Column{"state", "-", "0 intact, 1 softening, 2 broken, 3 sheared: without strength, and pressed together"},
     Column{"mode", "-", "of a crack: 1 opening, 2 shear, whichever has dissipated more; else 0"},
     Column{"opening", "m", "largest of its corners"},
-    Column{"slip", "m", "largest of its corners"},
+    Column{"slip", "m", "largest of its corners: how far its sides are apart along the face, less after they have slipped back"},
     Column{"kind", "-", "number in the case"},
     Column{
         "strength_factor", "-",
         "strength over that of the case, where strengths scatter or follow the rate of strain: that of a joint that has softened "
         "stays; else 1"}};
+/// Beside these where there are natural joints; 0 of others.
+inline constexpr std::array natural_joints = {
+    Column{"slip_path", "m", "path of slip under pressure, to and fro, the largest of its corners"},
+    Column{"mobilised_jrc", "-", "what slip has mobilised, and left, of JRC at the length of the joint, at that corner"},
+    Column{"closure", "m", "of the joint without its springs, the largest of its corners"},
+    Column{"dilation", "m", "so far, the largest of its corners"}};
 
 /// In the manifest, `results` by name: an interface, which scripts of users read.
 inline constexpr std::array figures = {

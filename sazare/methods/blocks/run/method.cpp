@@ -52,7 +52,7 @@ FolderTables tables_of_blocks() {
                     {"`ranks.csv`, a row per rank and interval",
                      {columns::blocks::ranks, columns::blocks::rank_topic, columns::blocks::rank_level}}},
           .snapshots = {{"`elements` of `blocks`", {columns::blocks::elements}},
-                        {"`joints` of `blocks`", {columns::blocks::joints}}}};
+                        {"`joints` of `blocks`", {columns::blocks::joints, columns::blocks::natural_joints}}}};
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "sazare/methods/blocks/run/snapshots.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "sazare/methods/blocks/run/columns.hpp"
 #include "sazare/methods/blocks/run/joints/element_stress.hpp"
 #include "sazare/methods/blocks/run/material_points.hpp"
+#include "sazare/methods/blocks/run/natural_joints.hpp"
 #include "sazare/runs/record_columns.hpp"
 
 namespace sazare::runs {
@@ -119,6 +121,7 @@ struct Snapshots::Picture {
   std::vector<JointState> state;       ///< by joint
   std::vector<std::int8_t> mode;       ///< by joint, see mode_of
   std::vector<Real> rate_factor;       ///< by joint: of the strength, by its rate of loading; empty where no joint follows it
+  NaturalJoints natural;
   ElementStresses stress;
 };
 
@@ -142,7 +145,7 @@ void Snapshots::resume(std::size_t count) {
 
 void Snapshots::write(Real time, levels::Snapshot<3> now, const FragmentMap& fragments) {
   finish_writing();
-  Picture taken{time, std::move(now), {}, {}, fragments.of_element, {}, {}, {}, {}};
+  Picture taken{time, std::move(now), {}, {}, fragments.of_element, {}, {}, {}, natural_joints(*model_->joints), {}};
   taken.spin = spins_of(model_->simulation->bodies(), taken.now);
   release(taken.now.angular_momentum);
   taken.stress = element_stresses(*model_, taken.now);
@@ -217,6 +220,10 @@ void Snapshots::write_joints(const Picture& picture) {
   observe::Grid grid{observe::Grid::Cell::triangle, {}, {}, {}, picture.time};
   grid.own_points = points;
   grid.cell_data = observe::cell_data(columns::blocks::joints, state, mode, gaps.opening, gaps.slip, kind, factor);
+  if (const NaturalJoints& natural = picture.natural; natural.are_there())
+    std::ranges::move(observe::cell_data(columns::blocks::natural_joints, natural.path, natural.mobilised_jrc, natural.closure,
+                                         natural.dilation),
+                      std::back_inserter(grid.cell_data));
   joints_.write(grid);
 }
 

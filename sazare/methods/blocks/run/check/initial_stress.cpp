@@ -27,12 +27,13 @@ Real ratio_of(Real stress, Real strength) {
   return strength > 0 ? stress / strength : std::numeric_limits<Real>::infinity();
 }
 
-/// The largest shear strength of a joint under a normal stress, tension positive: of a natural one at its peak [Pa].
+/// The shear strength with which a joint begins under a normal stress, tension positive [Pa].
 Real shear_strength_of(const cases::Joint& joint, Real normal_stress) {
   if (!joint.is_natural()) return joint.cohesion - joint.friction_coefficient * normal_stress;
   return std::visit(
       [&]<class Law>(const methods::blocks::JointParameters<Law, Real>& kind) {
-        if constexpr (laws::DilatesBySlip<Law>) return rough_strength(kind.shear, std::max(-normal_stress, Real{0}), Real{1});
+        if constexpr (laws::DilatesBySlip<Law>)
+          return rough_strength(kind.shear, std::max(-normal_stress, Real{0}), laws::mobilised_roughness(0));
         return Real{0};
       },
       make_joint_kind(joint));
@@ -146,13 +147,18 @@ std::string warn_of_initial_stress(const cases::CaseFile& file, const std::vecto
   const cases::BlocksCase& blocks = file.as<cases::BlocksCase>();
   std::string all;
   for (std::size_t joint = 0; joint < overstressed.size(); ++joint)
-    if (const auto& [faces, worst] = overstressed[joint]; faces > 0)
+    if (const auto& [faces, worst] = overstressed[joint]; faces > 0) {
+      const bool is_natural = blocks.joints[joint].is_natural();
       all += warning(
           file, "initial_stress",
-          fmt::format("the initial stress is beyond the strength of {} faces of the joint \"{}\"{}: they open or slip at once",
-                      faces, blocks.joints[joint].name,
-                      std::isfinite(worst) ? fmt::format(", by a factor of up to {}", cases::short_number(worst, 3)) : ""),
-          "lower the stress, or give the joint the strength of ground that has carried it");
+          fmt::format("the initial stress is beyond the {} of {} faces of the joint \"{}\"{}: they open or slip {}",
+                      is_natural ? "residual friction, with which a natural joint begins," : "strength", faces,
+                      blocks.joints[joint].name,
+                      std::isfinite(worst) ? fmt::format(", by a factor of up to {}", cases::short_number(worst, 3)) : "",
+                      blocks.settles() ? "while the body settles" : "at once"),
+          is_natural ? "lower the shear stress: slip mobilises the roughness of the joint, dilates it and changes the stress"
+                     : "lower the stress, or give the joint the strength of ground that has carried it");
+    }
   if (balance.above_datum > 0)
     all += warning(
         file, "initial_stress.k0",
