@@ -38,10 +38,11 @@ if os.path.isdir(_BUILT):
 
 
 def open(path):
-    """Opens the folder of a run. Raises NotARun, saying why, where it is not one."""
+    """Opens the folder of a run, which stays the same where the script changes its own folder. Raises NotARun, saying why, where it is not
+    one."""
     from sazare.results import open_run
 
-    return open_run(path)
+    return open_run(os.path.abspath(path))
 
 
 def __getattr__(name):

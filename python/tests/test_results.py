@@ -65,6 +65,13 @@ def test_snapshots_are_meshes_by_time(slab):
     assert snapshot.elements.volume == pytest.approx(1.2 * 1.0 * 0.15, rel=0.05)
 
 
+def test_a_run_stays_open_where_the_folder_changes(slab, tmp_path, monkeypatch):
+    monkeypatch.chdir(slab.parent)
+    results = sazare.open(slab.name)
+    monkeypatch.chdir(tmp_path)
+    assert results.history.rows == sazare.open(slab).history.rows > 0
+
+
 def test_snapshots_are_found_without_their_list(slab, tmp_path):
     copy = shutil.copytree(slab, tmp_path / "run")
     (copy / "snapshots" / "elements.vtkhdf.series").unlink()
