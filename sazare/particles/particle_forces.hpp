@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+
+#include "sazare/particles/particle_supports.hpp"
 #include "sazare/state/particles.hpp"
 
 namespace sazare::particles {
@@ -16,6 +19,13 @@ public:
   /// Adds what part of the last accelerations has no Rayleigh damping, times a factor: that of contacts with dashpots of their
   /// own, whose forces would else be damped by how fast they change.
   virtual void add_undamped(Real /*factor*/, state::FreedomColumns<D>& /*acceleration*/) const {}
+
+  /// What stands beside the particles and moves by itself begins, before their first evaluation, and goes a step ahead of each of
+  /// theirs, while no equilibrium is sought.
+  virtual void begin() {}
+  virtual void go_ahead() {}
+  /// Tells dashpots beside columns how these move at the time of the last evaluation.
+  virtual void move_beyond(std::span<Dashpot> /*dashpots*/) const {}
 
   /// Energy stored in them [J; J/m in 2-D].
   virtual Real energy(const state::Particles<D>& particles) = 0;

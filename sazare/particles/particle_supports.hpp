@@ -26,7 +26,8 @@ struct DrivenFreedom {
 
 /// A viscous boundary: the impedance of the ground beyond, and the wave that comes in through it. The force is
 /// -c (v - 2 v_in), besides what it carries at rest: half of it lets waves leave, the other half brings in the wave that would
-/// stand alone in the ground beyond. Lysmer and Kuhlemeyer, J. Eng. Mech. Div. ASCE 95 (1969) 859-877.
+/// stand alone in the ground beyond. Lysmer and Kuhlemeyer, J. Eng. Mech. Div. ASCE 95 (1969) 859-877. Beside a column that moves
+/// as the ground beyond does, v_c takes the place of 2 v_in.
 struct Dashpot {
   static constexpr Index no_motion = -1;
 
@@ -36,6 +37,9 @@ struct Dashpot {
   Index motion = no_motion;
   Real factor = 1;
   Real reaction = 0;  ///< what the ground beyond carries at rest, over the mass [m/s2]
+  bool is_beside_column = false;
+  bool settles = false;  ///< is not held while the equilibrium is sought
+  Real beyond = 0;       ///< v_c, of a column [m/s]
 };
 
 template <int D>

@@ -17,7 +17,8 @@ void UniformStepper<D>::stand_still() {
 template <int D>
 Real UniformStepper<D>::relax(const RelaxationRules& rules) {
   const auto velocity = particles_.velocity;
-  for (const particles::Dashpot& dashpot : supports_.dashpots) hold(dashpot.particle, dashpot.freedom);
+  for (const particles::Dashpot& dashpot : supports_.dashpots)
+    if (!dashpot.settles) hold(dashpot.particle, dashpot.freedom);
   find_even_tiles();
   drive();
   forces_->evaluate(particles_, elastic_);
@@ -34,6 +35,7 @@ Real UniformStepper<D>::relax(const RelaxationRules& rules) {
     if (!rules.goes_on(i + 1, left)) break;
   }
   for (particles::Dashpot& dashpot : supports_.dashpots) {
+    if (dashpot.settles) continue;
     const auto freedom = static_cast<std::size_t>(dashpot.freedom);
     dashpot.reaction = -elastic_[freedom][at(dashpot.particle)] - (dashpot.freedom < D ? supports_.gravity[dashpot.freedom] : 0);
   }

@@ -127,6 +127,7 @@ void UniformStepper<D>::find_even_tiles() {
 
 template <int D>
 void UniformStepper<D>::start() {
+  forces_->begin();
   drive();
   forces_->evaluate(particles_, elastic_);
   previous_ = elastic_;
@@ -148,6 +149,10 @@ void UniformStepper<D>::begin_halfway() {
     for (std::size_t i = 0; i < particles_.size(); ++i)
       if (gain_[freedom][i] > 0)
         particles_.velocity[freedom][i] -= 0.5 * rules_.step * (elastic_[freedom][i] + load_[freedom][i]);
+  for (const particles::Dashpot& dashpot : supports_.dashpots)  // does nothing while both set out together
+    if (dashpot.is_beside_column)
+      particles_.velocity[static_cast<std::size_t>(dashpot.freedom)][at(dashpot.particle)] +=
+          0.5 * rules_.step * dashpot.rate * dashpot.beyond;
 }
 
 /// Loads at the present time. Those at rest stand in the columns already.
@@ -155,11 +160,13 @@ template <int D>
 void UniformStepper<D>::add_loads() {
   std::vector<laws::MotionState> now;
   for (const laws::GroundMotion& motion : supports_.motions) now.push_back(motion.at(time()));
+  forces_->move_beyond(supports_.dashpots);
   for (const particles::Dashpot& dashpot : supports_.dashpots) {
-    if (dashpot.motion == particles::Dashpot::no_motion) continue;
-    const auto freedom = static_cast<std::size_t>(dashpot.freedom);
-    load_[freedom][at(dashpot.particle)] =
-        at_rest(dashpot) + 2 * dashpot.rate * dashpot.factor * now[at(dashpot.motion)].velocity;
+    Real& load = load_[static_cast<std::size_t>(dashpot.freedom)][at(dashpot.particle)];
+    if (dashpot.is_beside_column)
+      load = at_rest(dashpot) + dashpot.rate * dashpot.beyond;
+    else if (dashpot.motion != particles::Dashpot::no_motion)
+      load = at_rest(dashpot) + 2 * dashpot.rate * dashpot.factor * now[at(dashpot.motion)].velocity;
   }
   look_at_base();
 }
@@ -303,6 +310,7 @@ void UniformStepper<D>::drift_and_kick() {
 
 template <int D>
 void UniformStepper<D>::advance() {
+  forces_->go_ahead();
   if (rules_.integrator == Integrator::euler)
     drift_and_kick();
   else

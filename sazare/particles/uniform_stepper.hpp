@@ -67,9 +67,9 @@ public:
   void apply(std::span<const Vector3> forces);
 
   /// Finds the equilibrium under gravity before the beginning: `start` begins from it, with viscous boundaries that keep carrying
-  /// their reactions and motions from t = 0. Boundaries are held meanwhile. Kinetic damping: all velocities are set to zero
-  /// whenever the kinetic energy has passed a maximum. Cundall, The Explicit Finite-Difference Method (1982). Returns the largest
-  /// acceleration left [m/s2].
+  /// their reactions and motions from t = 0. Boundaries are held meanwhile, but for dashpots that settle. Kinetic damping: all
+  /// velocities are set to zero whenever the kinetic energy has passed a maximum. Cundall, The Explicit Finite-Difference Method
+  /// (1982). Returns the largest acceleration left [m/s2].
   Real relax(const RelaxationRules& rules);
 
   std::int64_t steps() const { return step_; }
@@ -85,6 +85,9 @@ public:
   /// At `time()`: translations [m/s], [m/s2] and rotations [rad/s], [rad/s2].
   state::FreedomColumns<D> velocity() const;
   state::FreedomColumns<D> acceleration() const;
+
+  /// By the forces between them alone [m/s2], [rad/s2].
+  const state::FreedomColumns<D>& acceleration_by_forces() const { return elastic_; }
 
   Real kinetic_energy() const;
   Real elastic_energy() { return forces_->energy(particles_); }
