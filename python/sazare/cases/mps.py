@@ -151,9 +151,10 @@ class Boundary(Part):
     """
     region: str | None = None
     """Region whose side is meant. (default: the whole body)"""
-    kind: Literal["fixed", "roller", "prescribed", "viscous"]
+    kind: Literal["fixed", "roller", "prescribed", "viscous", "free_field"]
     """fixed: held along all axes; roller: held normal to the side; prescribed: moves with the within motion (E + F); viscous:
-    lets waves leave and an incident wave (E) enter.
+    lets waves leave and an incident wave (E) enter; free_field: left, right, front and back only, a side that moves as a
+    column of its own layers on the same base does, and lets waves leave.
     """
     axes: list[Literal["x", "y", "z"]] | None = None
     """Axes along which a roller is held. (kind roller only; none: normal to the side) Default: []."""
@@ -182,8 +183,8 @@ class Gravity(Part):
     acceleration: tuple[float, float, float] | None = None
     """Gravitational acceleration. [m/s2] Default: [0.0, 0.0, 0.0]."""
     settle: bool | None = None
-    """Begin in equilibrium under gravity: it is found first, viscous boundaries keep carrying their reactions in it, and
-    displacements count from it. Default: false.
+    """Begin in equilibrium under gravity: it is found first, viscous boundaries and free-field sides keep carrying their
+    reactions in it, and displacements count from it. Default: false.
     """
     max_settling_steps: int | None = None
     """Maximum steps to reach equilibrium under gravity, with 1e-5 of gravity left as acceleration; after these the ground is

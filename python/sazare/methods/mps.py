@@ -22,6 +22,7 @@ ENERGIES = {
 WORKS = ("energy_work_gravity", "energy_work_viscous", "energy_work_boundary", "energy_work_applied", "energy_work_surface")
 KINDS = (
     (0, "free", style.STONE_EDGE), (1, "held", "#b5302a"), (2, "prescribed motion", "#d98a1f"), (3, "viscous boundary", "#1f5f9c"),
+    (4, "free-field side", "#3f8f8f"),
 )
 
 GOOD_BALANCE = 1e-3  # of the work; flow and rupture in finite steps leave some 1e-4
@@ -133,7 +134,7 @@ def displaced(results):
 
 @style.styled
 def supports(results):
-    """The particles that are held, moved or on a viscous boundary, where they begin; None where all are free."""
+    """The particles that are held, moved or on a viscous or free-field boundary, where they begin; None where all are free."""
     snapshots = results.particle_snapshots
     if not len(snapshots) or "support" not in snapshots[0].elements.cell_data:
         return None
@@ -244,8 +245,8 @@ def sections(results):
     ] if "energy_plastic" in results.history else []
     return [
         Section(
-            "supports", "Supports", "Particles that are held, moved by a prescribed motion or on a viscous boundary, and how many.",
-            partial(supports, results), "No particle is held, moved or on a viscous boundary.",
+            "supports", "Supports", "Particles that are held, moved by a prescribed motion or on a viscous or free-field boundary, and how many.",
+            partial(supports, results), "No particle is held, moved or on a viscous or free-field boundary.",
         ),
         *common.shaking_sections(results),
         Section(

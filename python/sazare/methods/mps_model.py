@@ -5,7 +5,7 @@ import numpy as np
 from sazare.model.parts import AXES, BOUNDARY, COLORS, Model, Part, body_color, boundary_words, counted, gauges_at_points, named, without_settling
 
 FREE = 0
-SUPPORT = {"fixed": 1, "roller": 1, "prescribed": 2, "viscous": 3}  # `support` of the snapshots
+SUPPORT = {"fixed": 1, "roller": 1, "prescribed": 2, "viscous": 3, "free_field": 4}  # `support` of the snapshots
 SIDES = {"left": (0, -1), "right": (0, 1), "front": (1, -1), "back": (1, 1), "bottom": (None, -1), "top": (None, 1)}  # None: vertical
 SQUARE = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]) / 2
 

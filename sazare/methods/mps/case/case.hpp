@@ -17,7 +17,7 @@ enum class RotationRemoval { mean_rotation, mean_angle };
 enum class RegionShape { rectangle, polygon, mesh };
 enum class Side { left, right, bottom, top, front, back, all };
 enum class SideExtent { plane, surface };
-enum class SideKind { fixed, roller, prescribed, viscous };
+enum class SideKind { fixed, roller, prescribed, viscous, free_field };
 
 struct ParticleRules {
   Real spacing = 0;  // m

@@ -154,11 +154,45 @@ void check_gravity(const CheckContext& context, const MpsCase& mps) {
     context.problems.error(entry.place("settle"), "settle requires gravity", "give gravity an acceleration");
   if (mps.gravity.settle && mps.noise.velocity > 0)
     context.problems.error(entry.place("settle"), "noise and settle cannot be combined", "remove [noise], or settle");
+  const bool sides = std::ranges::count(mps.boundaries, SideKind::free_field, &SideBoundary::kind) > 0;
+  Vector3 along = mps.gravity.acceleration;
+  along[mps.particles.dimension - 1] = 0;
+  if (sides && !along.isZero())
+    context.problems.error(entry.place("acceleration"), "beside free-field sides gravity must be vertical",
+                           "turn the model, so that gravity acts along its last axis");
   if (mps.gravity.settle || mps.gravity.acceleration.norm() == 0) return;
-  for (const SideBoundary& boundary : mps.boundaries)
-    if (boundary.kind == SideKind::viscous)
-      context.problems.error(entry.header(), "under gravity a viscous boundary yields without limit",
-                             "add settle = true to [gravity]: the boundary then carries its reactions in equilibrium");
+  const auto leaks = [](const SideBoundary& one) { return one.kind == SideKind::viscous || one.kind == SideKind::free_field; };
+  if (const auto first = std::ranges::find_if(mps.boundaries, leaks); first != mps.boundaries.end())
+    context.problems.error(entry.header(),
+                           fmt::format("under gravity a {} boundary yields without limit",
+                                       first->kind == SideKind::viscous ? "viscous" : "free-field"),
+                           "add settle = true to [gravity]: the boundary then carries its reactions in equilibrium");
+}
+
+/// A column of layers stands beside the side; what it cannot see of the particles, the model refuses.
+void check_free_field(const CheckContext& context, const Entry& entry, const MpsCase& mps, const SideBoundary& boundary) {
+  check_keys(context, entry, "kind free_field", {}, {"extent", "region", "axes"});
+  const auto is_free = [&](Side side) {
+    return std::ranges::any_of(mps.boundaries,
+                               [&](const SideBoundary& one) { return one.kind == SideKind::free_field && one.side == side; });
+  };
+  const bool across_x = boundary.side == Side::left || boundary.side == Side::right;
+  if (!across_x && boundary.side != Side::front && boundary.side != Side::back) {
+    context.problems.error(entry.place("side"), fmt::format("no column can stand beside side \"{}\"", word(boundary.side)),
+                           "kind free_field is for left, right, front and back");
+    return;
+  }
+  const auto same = [&](const SideBoundary& one) { return one.kind == SideKind::free_field && one.side == boundary.side; };
+  if (&*std::ranges::find_if(mps.boundaries, same) != &boundary)
+    context.problems.error(entry.place("side"), fmt::format("side \"{}\" has two columns", word(boundary.side)), "give it one");
+  const std::size_t axis = across_x ? 0 : 1, along = 1 - axis;
+  if (mps.particles.periodic[axis])
+    context.problems.error(entry.place("side"), fmt::format("the body is periodic along {} and has no side there", "xyz"[axis]),
+                           "remove the axis from periodic in [particles]");
+  const bool both = across_x ? is_free(Side::front) && is_free(Side::back) : is_free(Side::left) && is_free(Side::right);
+  if (mps.particles.dimension == 3 && !mps.particles.periodic[along] && !both)
+    context.problems.error(entry.place("side"), fmt::format("the layers of a column do not end along {}", "xyz"[along]),
+                           fmt::format("make the body periodic along {}, or both of its sides there free_field", "xyz"[along]));
 }
 
 void check_boundaries(const CheckContext& context, const MpsCase& mps) {
@@ -180,6 +214,7 @@ void check_boundaries(const CheckContext& context, const MpsCase& mps) {
     if (boundary.side == Side::all && (boundary.kind != SideKind::roller || !(held[0] || held[1] || held[2])))
       context.problems.error(entry.place("side"), "side \"all\" requires kind roller with axes",
                              "add axes = [\"y\"], for example");
+    if (boundary.kind == SideKind::free_field) check_free_field(context, entry, mps, boundary);
     check_motion_names(context, entry, boundary.motion, names);
     std::vector<std::string> regions;
     for (const ParticleRegion& region : mps.regions) regions.push_back(region.name);

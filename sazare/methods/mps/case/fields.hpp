@@ -30,7 +30,7 @@ struct EnumWords<SideExtent> {
 };
 template <>
 struct EnumWords<SideKind> {
-  static constexpr std::array<std::string_view, 4> words{"fixed", "roller", "prescribed", "viscous"};
+  static constexpr std::array<std::string_view, 5> words{"fixed", "roller", "prescribed", "viscous", "free_field"};
 };
 template <class Visitor>
 void visit_fields(Visitor& visit, ParticleRules& particles) {

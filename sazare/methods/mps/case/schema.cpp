@@ -12,7 +12,7 @@ constexpr std::array<std::string_view, 2> removals{"mean_rotation", "mean_angle"
 constexpr std::array<std::string_view, 3> shapes{"rectangle", "polygon", "mesh"};
 constexpr std::array<std::string_view, 7> sides{"left", "right", "bottom", "top", "front", "back", "all"};
 constexpr std::array<std::string_view, 2> extents{"plane", "surface"};
-constexpr std::array<std::string_view, 4> side_kinds{"fixed", "roller", "prescribed", "viscous"};
+constexpr std::array<std::string_view, 5> side_kinds{"fixed", "roller", "prescribed", "viscous", "free_field"};
 constexpr std::array<std::string_view, 3> integrators{"verlet", "leapfrog", "euler"};
 
 constexpr std::string_view two_of_three = "exactly two of s_wave_velocity, p_wave_velocity and poisson_ratio";
@@ -179,7 +179,9 @@ constexpr std::array boundary_keys{
         .type = Type::choice,
         .need = Need::required,
         .sentence = "fixed: held along all axes; roller: held normal to the side; prescribed: moves with the within motion (E + "
-                    "F); viscous: lets waves leave and an incident wave (E) enter.",
+                    "F); viscous: lets waves leave and an incident wave (E) enter; free_field: left, right, front and back only, "
+                    "a side that "
+                    "moves as a column of its own layers on the same base does, and lets waves leave.",
         .choices = side_kinds},
     Key{.name = "axes",
         .type = Type::axes,
@@ -205,8 +207,9 @@ constexpr std::array ground_gravity_keys{
     Key{.name = "settle",
         .type = Type::boolean,
         .default_text = "false",
-        .sentence = "Begin in equilibrium under gravity: it is found first, viscous boundaries keep carrying their reactions in "
-                    "it, and displacements count from it."},
+        .sentence =
+            "Begin in equilibrium under gravity: it is found first, viscous boundaries and free-field sides keep carrying "
+            "their reactions in it, and displacements count from it."},
     Key{.name = "max_settling_steps",
         .type = Type::integer,
         .range = {.low = 1, .high = 1000000000},

@@ -13,12 +13,13 @@ inline constexpr std::array motion = {Column{"energy_kinetic", "J", ""}, Column{
                                       Column{"displacement_max", "m", "of any particle, since the beginning"},
                                       Column{"speed_max", "m/s", "of any particle"},
                                       Column{"acceleration_max", "m/s2", "of any particle"}};
-inline constexpr std::array energy_balance = {Column{"energy_work_gravity", "J", "work of gravity"},
-                                     Column{"energy_work_viscous", "J", "work of viscous boundaries and their incident waves"},
-                                     Column{"energy_work_boundary", "J", "work of moving supports"},
-                                     Column{"energy_work_applied", "J", "work of forces given in Python"},
-                                     Column{"energy_damping", "J", "dissipated by Rayleigh damping"},
-                                     Column{"energy_residual", "J", "residual of the energy balance"}};
+inline constexpr std::array energy_balance = {
+    Column{"energy_work_gravity", "J", "work of gravity"},
+    Column{"energy_work_viscous", "J", "work of viscous boundaries, their incident waves and free-field sides"},
+    Column{"energy_work_boundary", "J", "work of moving supports"},
+    Column{"energy_work_applied", "J", "work of forces given in Python"},
+    Column{"energy_damping", "J", "dissipated by Rayleigh damping"},
+    Column{"energy_residual", "J", "residual of the energy balance"}};
 inline constexpr std::array failure = {Column{"energy_plastic", "J", "dissipated by plastic flow"},
                                        Column{"energy_fracture", "J", "elastic energy lost when links break"},
                                        Column{"energy_contact", "J", "dissipated by contacts and by the damping of broken ground"}, Column{"broken_links", "-", "so far"},
@@ -26,13 +27,14 @@ inline constexpr std::array failure = {Column{"energy_plastic", "J", "dissipated
 inline constexpr std::array surface = {Column{"energy_work_surface", "J", "work of the coupling surface on the ground"},
                                        Column{"energy_surface_contact", "J", "dissipated by friction and dashpots on it"},
                                        Column{"surface_contacts", "-", "particles that touch it now"}};
-inline constexpr std::array particles = {Column{"displacement", "m", "since the beginning"},
-                                         Column{"velocity", "m/s", ""},
-                                         Column{"acceleration", "m/s2", ""},
-                                         Column{"region", "-", "number in the case"},
-                                         Column{"material", "-", "number in the case"},
-                                         Column{"spacing", "m", ""},
-                                         Column{"support", "-", "0 free, 1 held, 2 moved by a prescribed motion, 3 on a viscous boundary"}};
+inline constexpr std::array particles = {
+    Column{"displacement", "m", "since the beginning"},
+    Column{"velocity", "m/s", ""},
+    Column{"acceleration", "m/s2", ""},
+    Column{"region", "-", "number in the case"},
+    Column{"material", "-", "number in the case"},
+    Column{"spacing", "m", ""},
+    Column{"support", "-", "0 free, 1 held, 2 moved by a prescribed motion, 3 on a viscous boundary, 4 on a free-field side"}};
 inline constexpr std::array failed_particles = {Column{"plastic_shear_strain", "-", "equivalent plastic shear strain"},
                                                 Column{"broken_fraction", "-", "share of its links that are broken"}};
 

@@ -4,24 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <set>
 #include <utility>
 
 #include "sazare/cases/format/number_text.hpp"
-#include "sazare/cases/motion_of_case.hpp"
-#include "sazare/methods/mps/case/fields.hpp"
 #include "sazare/methods/mps/elastic_forces.hpp"
 #include "sazare/methods/mps/run/coarse_slopes.hpp"
 #include "sazare/methods/mps/run/loose_parts.hpp"
+#include "sazare/methods/mps/run/side_columns.hpp"
+#include "sazare/methods/mps/run/supports.hpp"
 
 namespace sazare::runs {
 
 namespace {
 
-using cases::Side;
-using cases::SideKind;
 using methods::mps::Site;
 
 constexpr Real near_limit = 0.98;  // of the limit; above it a run is stable, but barely
@@ -66,25 +62,6 @@ void add_noise(const cases::Noise& noise, state::Particles<D>& particles) {
     }
 }
 
-/// Axis and direction of a side.
-template <int D>
-std::pair<std::size_t, int> outward(Side side) {
-  switch (side) {
-    case Side::left:
-      return {0, -1};
-    case Side::right:
-      return {0, 1};
-    case Side::front:
-      return {1, -1};
-    case Side::back:
-      return {1, 1};
-    case Side::bottom:
-      return {D - 1, -1};
-    default:
-      return {D - 1, 1};
-  }
-}
-
 /// Length of the body along the periodic axes, in spacings.
 template <int D>
 Site<D> period_of(const cases::MpsCase& mps, const Filling<D>& filling) {
@@ -94,134 +71,6 @@ Site<D> period_of(const cases::MpsCase& mps, const Filling<D>& filling) {
       if (mps.particles.periodic[axis]) period[axis] = std::max(period[axis], site[axis] + 1);
   return period;
 }
-
-/// Particles of a side, among those of its region.
-template <int D>
-std::vector<Index> particles_at(const cases::MpsCase& mps, const cases::SideBoundary& boundary, const Filling<D>& filling) {
-  const auto& sites = filling.sites;
-  const auto [axis, direction] = outward<D>(boundary.side);
-  const auto belongs = [&](std::size_t i) {
-    return boundary.region.empty() || mps.regions[static_cast<std::size_t>(filling.region[i])].name == boundary.region;
-  };
-  int outermost = std::numeric_limits<int>::min();
-  for (std::size_t i = 0; i < sites.size(); ++i)
-    if (belongs(i)) outermost = std::max(outermost, direction * sites[i][axis]);
-  std::set<Site<D>> taken;
-  if (boundary.extent == cases::SideExtent::surface) taken.insert(sites.begin(), sites.end());
-  std::vector<Index> found;
-  for (std::size_t i = 0; i < sites.size(); ++i) {
-    if (!belongs(i)) continue;
-    Site<D> beyond = sites[i];
-    beyond[axis] += direction;
-    const bool is_outside =
-        boundary.extent == cases::SideExtent::surface ? !taken.contains(beyond) : direction * sites[i][axis] == outermost;
-    if (boundary.side == Side::all || is_outside) found.push_back(static_cast<Index>(i));
-  }
-  return found;
-}
-
-/// How many particles a boundary has, and where.
-template <int D>
-std::string words_of_side(std::string_view name, std::string_view kind, const std::vector<Index>& found,
-                          const Filling<D>& filling) {
-  std::string text = fmt::format("{}: {}, {} particles", name, kind, found.size());
-  for (int axis = 0; axis < D && !found.empty(); ++axis) {
-    Real low = std::numeric_limits<Real>::infinity(), high = -low;
-    for (const Index particle : found) {
-      const Real place = filling.place(static_cast<std::size_t>(particle))[axis];
-      low = std::min(low, place);
-      high = std::max(high, place);
-    }
-    text += fmt::format(", {} {}", "xyz"[axis], cases::short_number(low, 4));
-    if (high > low) text += fmt::format(" to {}", cases::short_number(high, 4));
-  }
-  return text + (found.empty() ? "" : " m");
-}
-
-/// Supports of a case, boundary by boundary; what an earlier one holds stays held.
-template <int D>
-class SupportMaker {
-public:
-  SupportMaker(const cases::MpsCase& mps, MpsParts<D>& parts)
-      : mps_(mps), filling_(parts.filling), material_(parts.material), particles_(parts.particles), links_(parts.links) {
-    for (const cases::Motion& motion : mps_.motions) supports_.motions.push_back(cases::motion_of_case(motion));
-    for (int axis = 0; axis < D; ++axis) supports_.gravity[axis] = mps_.gravity.acceleration[axis];
-  }
-
-  particles::ParticleSupports<D> make() {
-    for (std::size_t i = 0; i < mps_.boundaries.size(); ++i)
-      if (mps_.boundaries[i].kind != SideKind::viscous) add(i);
-    for (std::size_t i = 0; i < mps_.boundaries.size(); ++i)
-      if (mps_.boundaries[i].kind == SideKind::viscous) add(i);
-    if (mps_.damping.relative_to_base) supports_.find_base();
-    return std::move(supports_);
-  }
-
-  const std::vector<std::string>& words() const { return words_; }
-
-private:
-  void add(std::size_t number) {
-    const cases::SideBoundary& boundary = mps_.boundaries[number];
-    const std::vector<Index> particles = particles_at<D>(mps_, boundary, filling_);
-    words_.push_back(words_of_side<D>(cases::EnumWords<Side>::words[static_cast<std::size_t>(boundary.side)],
-                                      cases::EnumWords<SideKind>::words[static_cast<std::size_t>(boundary.kind)], particles,
-                                      filling_));
-    for (const Index particle : particles)
-      for (std::size_t axis = 0; axis < D; ++axis) add(boundary, particle, axis);
-    if (boundary.kind != SideKind::roller) cut_in_half(particles);
-  }
-
-  /// The boundary goes through the centres of its particles: half of their volume lies beyond it.
-  void cut_in_half(const std::vector<Index>& particles) {
-    links_.halve_among(particles);
-    for (const Index particle : particles) {
-      const auto i = static_cast<std::size_t>(particle);
-      particles_.inverse_mass[i] *= 2;
-      particles_.inverse_inertia[i] *= 2;
-      particles_.lame[i] *= 2;  // half of the volume, and twice the strain that half of its links tell
-    }
-  }
-
-  void add(const cases::SideBoundary& boundary, Index particle, std::size_t axis) {
-    const std::size_t normal = outward<D>(boundary.side).first;
-    const auto freedom = static_cast<int>(axis);
-    const Index motion = motion_of(boundary.motion[axis]);
-    const bool named = boundary.axes[0] || boundary.axes[1] || boundary.axes[2];
-    const bool held = boundary.kind == SideKind::fixed ||
-                      (boundary.kind == SideKind::roller && (named ? boundary.axes[axis] : axis == normal)) ||
-                      (boundary.kind == SideKind::prescribed && motion < 0);
-    if (taken_.contains({particle, freedom})) return;
-    if (held) {
-      supports_.held.push_back({particle, freedom});
-    } else if (boundary.kind == SideKind::prescribed) {
-      supports_.driven.push_back({particle, freedom, motion, 1});
-    } else if (boundary.kind == SideKind::viscous) {
-      const auto i = static_cast<std::size_t>(particle);
-      const cases::Ground& ground = mps_.materials[static_cast<std::size_t>(material_[i])];
-      // Impedance times the area of a particle, over half of its mass.
-      const Real rate = 2 * (axis == normal ? ground.p_wave_velocity : ground.s_wave_velocity) / particles_.spacing;
-      supports_.dashpots.push_back({particle, freedom, rate, motion, 1});
-    } else {
-      return;
-    }
-    taken_.insert({particle, freedom});
-  }
-
-  Index motion_of(const std::string& name) const {
-    for (std::size_t i = 0; i < mps_.motions.size(); ++i)
-      if (!name.empty() && mps_.motions[i].name == name) return static_cast<Index>(i);
-    return -1;
-  }
-
-  const cases::MpsCase& mps_;
-  const Filling<D>& filling_;
-  const std::vector<Index>& material_;
-  state::Particles<D>& particles_;
-  methods::mps::LinkTable<D>& links_;
-  particles::ParticleSupports<D> supports_;
-  std::set<std::pair<Index, int>> taken_;
-  std::vector<std::string> words_;
-};
 
 /// Refuses a case from whose numbers no limit follows.
 void check_limit(const cases::CaseFile& file, Real limit) {
@@ -273,10 +122,10 @@ std::string check_step(const cases::CaseFile& file, const MpsModel<D>& model) {
 }  // namespace
 
 template <int D>
-MpsParts<D> make_parts(const cases::CaseFile& file) {
-  const cases::MpsCase& mps = file.as<cases::MpsCase>();
+MpsParts<D> lay_out(const cases::MpsCase& mps, Filling<D> filling, const Site<D>& period) {
   MpsParts<D> parts;
-  parts.filling = fill_regions<D>(file);
+  parts.filling = std::move(filling);
+  parts.period = period;
   for (const Index region : parts.filling.region) {
     const std::string& name = mps.regions[static_cast<std::size_t>(region)].name;
     const auto made_of = std::ranges::find_if(mps.materials, [&](const cases::Ground& ground) {
@@ -285,13 +134,20 @@ MpsParts<D> make_parts(const cases::CaseFile& file) {
     parts.material.push_back(static_cast<Index>(made_of - mps.materials.begin()));
   }
   parts.particles = make_particles<D>(mps, parts.filling, parts.material);
-  if (mps.noise.velocity > 0) add_noise<D>(mps.noise, parts.particles);
-  parts.links = methods::mps::make_links<D>(parts.filling.sites, mps.particles.spacing, mps.particles.influence,
-                                            period_of<D>(mps, parts.filling));
+  parts.links = methods::mps::make_links<D>(parts.filling.sites, mps.particles.spacing, mps.particles.influence, period);
   if (mps.damping.f2 > 0) parts.damping = laws::RayleighDamping::make(mps.damping.f1, mps.damping.f2);
-  SupportMaker<D> maker(mps, parts);
-  parts.supports = maker.make();
-  parts.sides = maker.words();
+  return parts;
+}
+
+template <int D>
+MpsParts<D> make_parts(const cases::CaseFile& file) {
+  const cases::MpsCase& mps = file.as<cases::MpsCase>();
+  const Filling<D> filling = fill_regions<D>(file);
+  MpsParts<D> parts = lay_out<D>(mps, filling, period_of<D>(mps, filling));
+  if (mps.noise.velocity > 0) add_noise<D>(mps.noise, parts.particles);
+  const Members members = members_of<D>(mps, parts.filling);
+  add_supports<D>(mps, members, parts);
+  parts.sides = words_of_sides<D>(mps, members, parts.filling);
   return parts;
 }
 
@@ -303,7 +159,6 @@ std::unique_ptr<particles::ParticleForces<D>> MpsParts<D>::forces(const cases::M
   std::vector<methods::mps::StrengthOfGround> grounds;
   for (const cases::Ground& ground : mps.materials) grounds.push_back(strength_of(ground));
   methods::mps::LooseRules rules{.step = step, .damping_ratio = mps.contact.damping_ratio, .period = {}};
-  const Site<D> period = period_of<D>(mps, filling);
   for (std::size_t axis = 0; axis < D; ++axis) rules.period[axis] = period[axis] * particles.spacing;
   return std::make_unique<methods::mps::FailingForces<D>>(
       particles, links, methods::mps::GroundStrength<D>(particles, links, std::move(grounds), material), rules);
@@ -336,8 +191,9 @@ template <int D>
 MpsModel<D> build_mps(const cases::CaseFile& file, const std::optional<MpsCoupling>& coupling) {
   const auto& mps = file.as<cases::MpsCase>();
   const MpsParts<D> parts = make_parts<D>(file);
+  const SideParts<D> beside = make_side_parts<D>(file, parts);
   MpsModel<D> model;
-  model.limit = parts.predict();
+  model.limit = beside.predict(parts.predict());
   const std::vector<Real> velocity = p_wave_velocities(mps, parts.material);
   if (coupling)
     model.limit = methods::mps::with_outside_springs(model.limit, square_of_contacts(velocity, parts.particles.spacing));
@@ -356,12 +212,19 @@ MpsModel<D> build_mps(const cases::CaseFile& file, const std::optional<MpsCoupli
     model.at_surface = at_surface.get();
     forces = std::move(at_surface);
   }
+  if (!beside.columns.empty()) {
+    auto between = std::make_unique<methods::mps::FreeFieldForces<D>>(std::move(forces), beside.stand(mps, model.step));
+    model.free_field = between.get();
+    forces = std::move(between);
+  }
   model.stepper = parts.stepper(mps, model.step, std::move(forces));
   return model;
 }
 
 template struct MpsParts<2>;
 template struct MpsParts<3>;
+template MpsParts<2> lay_out<2>(const cases::MpsCase&, Filling<2>, const Site<2>&);
+template MpsParts<3> lay_out<3>(const cases::MpsCase&, Filling<3>, const Site<3>&);
 template MpsParts<2> make_parts<2>(const cases::CaseFile&);
 template MpsParts<3> make_parts<3>(const cases::CaseFile&);
 template MpsModel<2> build_mps<2>(const cases::CaseFile&, const std::optional<MpsCoupling>&);

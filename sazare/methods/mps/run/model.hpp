@@ -9,6 +9,7 @@
 #include "sazare/cases/case_file.hpp"
 #include "sazare/methods/mps/case/case.hpp"
 #include "sazare/methods/mps/failing_forces.hpp"
+#include "sazare/methods/mps/free_field.hpp"
 #include "sazare/methods/mps/ground_at_surface.hpp"
 #include "sazare/methods/mps/run/filling.hpp"
 #include "sazare/methods/mps/stable_step.hpp"
@@ -33,7 +34,8 @@ struct MpsModel {
   std::string warning;             ///< about the step, ready to print; empty when there is none
   std::unique_ptr<particles::UniformStepper<D>> stepper;
   const methods::mps::FailingForces<D>* failing = nullptr;  ///< of the stepper's forces, where the ground has a strength
-  methods::mps::GroundAtSurface<D>* at_surface = nullptr;   ///< the stepper's forces, in a coupling
+  methods::mps::GroundAtSurface<D>* at_surface = nullptr;   ///< of the stepper's forces, in a coupling
+  methods::mps::FreeFieldForces<D>* free_field = nullptr;   ///< the stepper's forces, where there are free-field sides
 
   /// The predicted limit of the case's integrator [s].
   Real stable_step(cases::Integrator integrator) const {
@@ -45,6 +47,7 @@ struct MpsModel {
 template <int D>
 struct MpsParts {
   Filling<D> filling;
+  methods::mps::Site<D> period{};  ///< length along periodic axes, in spacings; 0 along the others
   std::vector<Index> material;
   state::Particles<D> particles;
   methods::mps::LinkTable<D> links;
@@ -58,6 +61,10 @@ struct MpsParts {
                                                         std::unique_ptr<particles::ParticleForces<D>> forces) const;
 };
 
+/// Particles and links of ground that nothing holds.
+template <int D>
+MpsParts<D> lay_out(const cases::MpsCase& mps, Filling<D> filling, const methods::mps::Site<D>& period);
+
 /// Throws UserError when the case does not fit its particles.
 template <int D>
 MpsParts<D> make_parts(const cases::CaseFile& file);
@@ -68,6 +75,8 @@ MpsModel<D> build_mps(const cases::CaseFile& file, const std::optional<MpsCoupli
 
 extern template struct MpsParts<2>;
 extern template struct MpsParts<3>;
+extern template MpsParts<2> lay_out<2>(const cases::MpsCase&, Filling<2>, const methods::mps::Site<2>&);
+extern template MpsParts<3> lay_out<3>(const cases::MpsCase&, Filling<3>, const methods::mps::Site<3>&);
 extern template MpsParts<2> make_parts<2>(const cases::CaseFile&);
 extern template MpsParts<3> make_parts<3>(const cases::CaseFile&);
 extern template MpsModel<2> build_mps<2>(const cases::CaseFile&, const std::optional<MpsCoupling>&);

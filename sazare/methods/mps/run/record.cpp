@@ -136,6 +136,7 @@ void MpsRecord<D>::close_energy_balance(bool at_beginning) {
   elastic_ = model_->stepper->elastic_energy();
   if (!has_energy_balance()) return;
   work_ = model_->stepper->work();
+  if (model_->free_field != nullptr) work_.boundary += model_->free_field->work();
   Real carried = model_->stepper->kinetic_energy_of_kick() + elastic_;
   if (const auto* failing = model_->failing) {
     const auto lost = failing->work();
@@ -172,14 +173,14 @@ void MpsRecord<D>::write_snapshot(Real time, const state::FreedomColumns<D>& vel
   files_.add_snapshot({observe::Grid::Cell::vertex, place, number, data, time});
 }
 
-/// By particle: 0 free, 1 held, 2 prescribed, 3 on a viscous boundary.
+/// By particle: 0 free, 1 held, 2 prescribed, 3 on a viscous boundary, 4 on a free-field side.
 template <int D>
 const std::vector<std::int32_t>& MpsRecord<D>::supported() {
   if (!supported_.empty()) return supported_;
   const auto& supports = model_->stepper->supports();
   supported_.assign(model_->filling.sites.size(), 0);
   for (const auto& held : supports.held) supported_[at(held.particle)] = 1;
-  for (const auto& dashpot : supports.dashpots) supported_[at(dashpot.particle)] = 3;
+  for (const auto& dashpot : supports.dashpots) supported_[at(dashpot.particle)] = dashpot.is_beside_column ? 4 : 3;
   for (const auto& driven : supports.driven) supported_[at(driven.particle)] = 2;
   return supported_;
 }

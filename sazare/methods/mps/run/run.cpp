@@ -89,6 +89,15 @@ struct MpsWork final : WorkDefaults {
   }
 };
 
+/// How many degrees of freedom do not simply follow from forces.
+template <int D>
+std::string words_of_freedoms(const particles::ParticleSupports<D>& supports) {
+  const auto beside = std::ranges::count(supports.dashpots, true, &particles::Dashpot::is_beside_column);
+  std::string text = fmt::format("{} degrees of freedom held, {} prescribed, {} on viscous boundaries", supports.held.size(),
+                                 supports.driven.size(), std::ssize(supports.dashpots) - beside);
+  return beside == 0 ? text : text + fmt::format(", {} on free-field sides", beside);
+}
+
 template <int D>
 std::string side_lines(const MpsModel<D>& model) {
   std::string text;
@@ -140,13 +149,10 @@ std::string check(const cases::CaseFile& file, const std::optional<MpsCoupling>&
   gauge_particles<D>(file, model.filling);
   const RunClocks clocks = make_clocks(file, file.as<cases::MpsCase>().time, "step", model.step);
   const Real limit = model.stable_step(file.as<cases::MpsCase>().time.integrator);
-  const auto& supports = model.stepper->supports();
   const auto particles = static_cast<Real>(model.filling.sites.size());
   return cases::explain(file.as<cases::MpsCase>()) +
-         line("body",
-              fmt::format("{} particles, number density {}, {} degrees of freedom held, {} prescribed, {} on viscous boundaries",
-                          model.filling.sites.size(), number(model.number_density, 6), supports.held.size(),
-                          supports.driven.size(), supports.dashpots.size())) +
+         line("body", fmt::format("{} particles, number density {}, {}", model.filling.sites.size(),
+                                  number(model.number_density, 6), words_of_freedoms<D>(model.stepper->supports()))) +
          second_look<D>(file.as<cases::MpsCase>(), model.stepper->particles()) + side_lines(model) +
          line("stability", fmt::format("{}, predicted from the largest frequency, {} rad/s, and the damping",
                                        cases::limit_text(limit, 5), number(model.limit.frequency, 6))) +

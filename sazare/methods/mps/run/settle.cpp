@@ -53,6 +53,31 @@ private:
   std::map<Index, Vector<D>> broke_at_;  ///< displacement when first found broken [m]
 };
 
+std::string words_of_rest(std::int64_t steps, Real left, Real tolerance) {
+  return fmt::format("after {} steps an acceleration of {} m/s2 remains, {} is required", steps, short_number(left, 3),
+                     short_number(tolerance, 3));
+}
+
+bool is_stopped(const RunOptions& options) {
+  return options.stop_asked != nullptr && options.stop_asked->load(std::memory_order_relaxed);
+}
+
+/// The columns beside free-field sides come to rest before the ground does, which they carry. False when asked to stop.
+template <int D>
+bool settle_columns(const cases::MpsCase& mps, MpsModel<D>& model, Real tolerance, const RunOptions& options) {
+  for (std::size_t i = 0; model.free_field != nullptr && i < model.free_field->column_count(); ++i) {
+    const auto goes_on = [&](std::int64_t, Real) { return !is_stopped(options); };
+    const Real left = model.free_field->relax(i, {tolerance, mps.gravity.max_settling_steps, goes_on});
+    if (is_stopped(options)) return false;
+    if (!(left <= creeping_share / relaxed_share * tolerance))
+      throw PhysicsError(
+          fmt::format("no equilibrium under gravity of the column beside free-field side {}: {}\n"
+                      "  its layers do not carry their own weight: check their strength and the boundary below them",
+                      i + 1, words_of_rest(mps.gravity.max_settling_steps, left, tolerance)));
+  }
+  return true;
+}
+
 }  // namespace
 
 template <int D>
@@ -62,6 +87,7 @@ bool settle(const cases::MpsCase& mps, MpsModel<D>& model, const RunOptions& opt
   const auto particles = static_cast<std::int64_t>(model.filling.sites.size());
   if (!options.quiet) fmt::print("finding the equilibrium under gravity\n");
   std::fflush(stdout);
+  if (!settle_columns<D>(mps, model, tolerance, options)) return false;
   SlideSearch<D> search(model);
   std::optional<Index> slides;
   Progress progress(options.quiet, {.smallest_step = model.step, .broken_joints = -1, .evaluated = "particle-steps"});
@@ -73,7 +99,7 @@ bool settle(const cases::MpsCase& mps, MpsModel<D>& model, const RunOptions& opt
     if (progress.is_due())
       progress.show(
           {std::log(first / left) / std::log(first / tolerance), 0, done * particles, model.step, -1, "particle-steps"});
-    asked = options.stop_asked != nullptr && options.stop_asked->load(std::memory_order_relaxed);
+    asked = is_stopped(options);
     if (done % check_steps == 0) slides = search.find();
     return !asked && !slides;
   };
@@ -86,8 +112,7 @@ bool settle(const cases::MpsCase& mps, MpsModel<D>& model, const RunOptions& opt
         "  the ground slides under its own weight: check its strength and its shape, or run it without settle to see the slide",
         place_words<D>(model, *slides)));
   if (left <= tolerance) return true;
-  const std::string after = fmt::format("after {} steps an acceleration of {} m/s2 remains, {} is required",
-                                        mps.gravity.max_settling_steps, short_number(left, 3), short_number(tolerance, 3));
+  const std::string after = words_of_rest(mps.gravity.max_settling_steps, left, tolerance);
   if (left <= creeping_share / relaxed_share * tolerance) {
     if (!options.quiet) fmt::print("the equilibrium under gravity is all but reached: {}\n", after);
     return true;

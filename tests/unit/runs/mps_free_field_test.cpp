@@ -1,0 +1,81 @@
+/// Runs of method mps with free-field sides.
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+#include "sazare/core/error.hpp"
+#include "sazare/parallel/threads.hpp"
+#include "tests/unit/runs/support.hpp"
+
+namespace sazare::runs {
+namespace {
+
+using test::read_manifest, test::read_text, test::TemporaryFolder, test::words_of;
+using Settings = std::vector<std::string>;
+
+cases::CaseFile ground(Settings settings = {}) {
+  settings.insert(settings.begin(), "particles.spacing=1");
+  return registry::read_case("validation/analytic/free-field/level-ground.toml", settings);
+}
+
+const Settings settles{"gravity.acceleration=[0,-9.81,0]", "gravity.settle=true"};
+
+TEST(mps_free_field, leaves_ground_at_rest_that_has_settled) {
+  const TemporaryFolder folder;
+  Settings settings = settles;
+  settings.push_back("motions.0.amplitude=0");
+  registry::run_case(ground(settings), {folder / "run", Begin::fresh, true, nullptr});
+  const nlohmann::json results = read_manifest(folder / "run")["results"];
+  EXPECT_GT(results["settlement"].get<double>(), 1e-4);
+  EXPECT_LT(results["peak_acceleration"].get<double>(), 1e-4 * 9.81);
+}
+
+TEST(mps_free_field, gives_the_bits_of_one_run_in_parts_and_on_threads) {
+  const TemporaryFolder folder;
+  Settings settings = settles;
+  settings.insert(settings.end(), {"materials.1.cohesion=3e3", "materials.1.friction_angle=20", "time.end=1", "time.step=5e-4"});
+  parallel::set_threads(1);
+  registry::run_case(ground(settings), {folder / "whole", Begin::fresh, true, nullptr});
+  parallel::set_threads(2);
+  int parts = 1;
+  for (;; ++parts) {
+    std::atomic<bool> stop = false;
+    std::jthread alarm([&](const std::stop_token& over) {
+      const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(150 * parts);
+      while (!over.stop_requested() && std::chrono::steady_clock::now() < end)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      stop = true;
+    });
+    if (!registry::run_case(ground(settings), {folder / "parts", Begin::resume, true, &stop}).stopped) break;
+  }
+  EXPECT_GT(parts, 1);
+  const nlohmann::json one = read_manifest(folder / "whole"), many = read_manifest(folder / "parts");
+  EXPECT_EQ(one["state_hash"], many["state_hash"]);
+  EXPECT_EQ(test::without_last_column(read_text(folder / "whole/history.csv")),
+            test::without_last_column(read_text(folder / "parts/history.csv")));
+  EXPECT_GT(one["results"]["energy_plastic"].get<double>(), 0);
+}
+
+std::string refused(const Settings& settings) {
+  return words_of<UserError>([&] { registry::check_case(ground(settings)); });
+}
+
+TEST(mps_free_field, refuses_sides_that_no_column_fits) {
+  const std::string uneven = refused({"regions.1.lower=[2,5,0]"});
+  EXPECT_NE(
+      uneven.find("no column of layers fits the ground beside side \"left\": at y = 5.5 m there are both \"rock\" and \"soil\""),
+      std::string::npos)
+      << uneven;
+  const std::string steep = refused({"regions.0.upper=[20,5,0]", "regions.1.lower=[2,5,0]"});
+  EXPECT_NE(steep.find("at y = 5.5 m there are 2 of 4 particles"), std::string::npos) << steep;
+  const std::string held = refused({"boundaries.0.region=soil"});
+  EXPECT_EQ(held.find("no column"), std::string::npos) << held;
+  const std::string narrow = refused({"regions.0.upper=[7,10,0]", "regions.1.upper=[7,10,0]"});
+  EXPECT_NE(narrow.find("the body is 7 particles wide"), std::string::npos) << narrow;
+}
+
+}  // namespace
+}  // namespace sazare::runs
