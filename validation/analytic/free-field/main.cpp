@@ -5,6 +5,7 @@
 #include "sazare/geometry/interface_split.hpp"
 #include "sazare/methods/fem/soil_column.hpp"
 #include "tests/support/element_boxes.hpp"
+#include "validation/analytic/free-field/particles.hpp"
 #include "validation/common/rows.hpp"
 
 namespace {
@@ -226,4 +227,5 @@ int main() {
   const Blow blow = blow_on_surface();
   validation::print_row("blow-beside-viscous", blow.difference);
   validation::print_row("blow-returned", blow.returned);
+  validation::print_rows_of_particles();
 }
