@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "sazare/core/member_archive.hpp"
-#include "sazare/laws/touching_points.hpp"
+#include "sazare/geometry/facets/touching_points.hpp"
 #include "sazare/parallel/threads.hpp"
 
 namespace sazare::methods::blocks {
@@ -134,7 +134,7 @@ void SurfaceContacts::find_met(const ContactBody& body, Near& near, Real seconds
 
 SurfaceContacts::Touch& SurfaceContacts::touch_of(const Met& met, Near& near) {
   Touch& touch =
-      laws::touching_point(near.touches, -met.point.normal, [&](const Touch& one) { return one.sphere == met.sphere; });
+      geometry::touching_point(near.touches, -met.point.normal, [&](const Touch& one) { return one.sphere == met.sphere; });
   touch.sphere = met.sphere;
   return touch;
 }
@@ -152,7 +152,7 @@ const SurfaceContacts::Push& SurfaceContacts::push(const ContactBody& body, cons
   push.dashpot = push.friction = Vector3::Zero();
   if (met.point.share > 0) {
     Touch& touch = touch_of(met, near);
-    laws::turn_point(touch, normal, shared.elapsed * face.spin().dot(normal));
+    geometry::turn_point(touch, normal, shared.elapsed * face.spin().dot(normal));
     const laws::SphereForce given = force_at(
         law_, normal, face.velocity() - body.motion.velocity_at(arm) - body.straining(met.tangent),
         [&](const Vector3& along) { return body.softness(arm, along, met.tangent); }, shared, touch.memory);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sazare/core/member_archive.hpp"
+#include "sazare/geometry/facets/touching_points.hpp"
 #include "sazare/parallel/threads.hpp"
 
 namespace sazare::methods::mps {
@@ -208,8 +209,8 @@ void SurfaceContacts<D>::push(const Moving& particle, const geometry::FacetPoint
   Vector3 force = point.count * law.stiffness * overlap * normal;
   near.energy += point.count * energy;
   if (point.share > 0) {
-    Touch& touch = laws::touching_point(near.touches, normal, [](const Touch&) { return true; });
-    laws::turn_point(touch, normal, rules_.step * face.spin().dot(normal));
+    Touch& touch = geometry::touching_point(near.touches, normal, [](const Touch&) { return true; });
+    geometry::turn_point(touch, normal, rules_.step * face.spin().dot(normal));
     const Vector3 parting = particle.velocity + particle.spin.cross(arm) - face.velocity();
     laws::SphereMotion motion;
     motion.overlap = overlap;

@@ -18,7 +18,7 @@
 
 #include "sazare/geometry/facets/points.hpp"
 #include "sazare/geometry/nodal_surface.hpp"
-#include "sazare/laws/touching_points.hpp"
+#include "sazare/laws/sphere_contact.hpp"
 #include "sazare/methods/mps/particle_places.hpp"
 
 namespace sazare::methods::mps {

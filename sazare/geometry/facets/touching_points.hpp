@@ -6,13 +6,13 @@
 ///
 ///     Index is_touching      whether it has been found in this evaluation
 ///     Vector3 normal         of the contact, which may point either way, always the same
-///     SphereMemory memory
+///     memory                 of a contact law, whose plane turns with turn(normal, tilt, angle)
 
 #include <vector>
 
-#include "sazare/laws/sphere_contact.hpp"
+#include "sazare/core/vector.hpp"
 
-namespace sazare::laws {
+namespace sazare::geometry {
 
 /// The point that faced most nearly the way of `normal` among those of which `is_of_same(point)` is true; else a new one, which
 /// begins with what the one beside it remembers, since it takes over from it. Several points of a body lie farther apart than
@@ -52,4 +52,4 @@ void turn_point(Point& point, const Vector3& normal, Real angle) {
   point.normal = normal;
 }
 
-}  // namespace sazare::laws
+}  // namespace sazare::geometry
