@@ -37,7 +37,8 @@ Real UniformStepper<D>::relax(const RelaxationRules& rules) {
   for (particles::Dashpot& dashpot : supports_.dashpots) {
     if (dashpot.settles) continue;
     const auto freedom = static_cast<std::size_t>(dashpot.freedom);
-    dashpot.reaction = -elastic_[freedom][at(dashpot.particle)] - (dashpot.freedom < D ? supports_.gravity[dashpot.freedom] : 0);
+    dashpot.reaction = -elastic_[freedom][at(dashpot.particle)] - (dashpot.freedom < D ? supports_.gravity[dashpot.freedom] : 0) -
+                       applied_to(freedom, at(dashpot.particle));
   }
   initial_displacement_ = particles_.displacement;
   particles_.velocity = velocity;
@@ -62,7 +63,8 @@ Real UniformStepper<D>::largest_unbalance() const {
   for (std::size_t axis = 0; axis < D; ++axis)
     for (std::size_t i = 0; i < particles_.size(); ++i)
       if (gain_[axis][i] > 0)
-        largest = std::max(largest, std::abs(elastic_[axis][i] + supports_.gravity[static_cast<int>(axis)]));
+        largest =
+            std::max(largest, std::abs(elastic_[axis][i] + supports_.gravity[static_cast<int>(axis)] + applied_to(axis, i)));
   return largest;
 }
 

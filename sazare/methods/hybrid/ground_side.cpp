@@ -27,6 +27,12 @@ void GroundSide<D>::attach(const coupling::SurfaceShape& shape) {
   forces_->attach(particles, std::move(nodes), surface_.triangles());
 }
 
+template <int D>
+void GroundSide<D>::put_surface() {
+  surface_.move_to(this->course().shape());
+  forces_->put_surface(surface_.places(this->course().to()));
+}
+
 template class GroundSide<2>;
 template class GroundSide<3>;
 

@@ -26,6 +26,7 @@ private:
   }
   const geometry::SurfaceNodes& nodes() const override { return forces_->surface()->nodes(); }
   void lead(std::vector<Vector3> from, std::vector<Vector3> with) override { forces_->lead(std::move(from), std::move(with)); }
+  void put_surface() override;
 
   methods::mps::GroundAtSurface<D>* forces_;
   SlabSurface surface_;

@@ -23,6 +23,11 @@ private:
   std::vector<Real> folded(const std::vector<Vector3>& forces, Real factor) const override;
   const geometry::SurfaceNodes& nodes() const override { return forces_->surface()->nodes(); }
   void lead(std::vector<Vector3> from, std::vector<Vector3> with) override { forces_->lead(std::move(from), std::move(with)); }
+  void put_surface() override {
+    std::vector<Vector3> where = places(course().to());
+    std::vector<Vector3> still(where.size(), Vector3::Zero());
+    lead(std::move(where), std::move(still));
+  }
 
   methods::rectangles::RectangleForces* forces_;
   Index elements_;

@@ -16,6 +16,9 @@ public:
   /// `low` and `high`: of the rectangles along z, in the plane [m].
   SlabSurface(const coupling::SurfaceShape& shape, Real low, Real high) : shape_(shape), low_(low), high_(high) {}
 
+  /// The same surface elsewhere.
+  void move_to(const coupling::SurfaceShape& shape) { shape_ = shape; }
+
   /// Positions of the nodes in 3-D; of a 2-D continuum first those at the lower end of the slab, then those at the other [m].
   std::vector<Vector3> places(const std::vector<Real>& displacement) const;
   std::vector<std::array<Index, 3>> triangles() const;

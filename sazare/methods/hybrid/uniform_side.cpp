@@ -21,9 +21,7 @@ coupling::SurfaceForce UniformSide<D>::force() const {
 template <int D>
 void UniformSide<D>::move_to(const coupling::SurfaceShape& shape) {
   course_.move_to(shape);
-  std::vector<Vector3> where = places(course_.to());
-  std::vector<Vector3> still(where.size(), Vector3::Zero());
-  lead(std::move(where), std::move(still));
+  put_surface();
 }
 
 template <int D>

@@ -40,6 +40,8 @@ private:
   virtual const geometry::SurfaceNodes& nodes() const = 0;
   /// From now on the nodes go from these places with these velocities [m; m/s].
   virtual void lead(std::vector<Vector3> from, std::vector<Vector3> with) = 0;
+  /// The surface stands as `course` has it now, at rest.
+  virtual void put_surface() = 0;
   void go_back();
 
   particles::UniformStepper<D>* stepper_;

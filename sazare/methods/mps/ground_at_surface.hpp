@@ -14,16 +14,18 @@ namespace sazare::methods::mps {
 template <int D>
 class GroundAtSurface final : public particles::ParticleForces<D> {
 public:
-  /// `failing` is `ground`, where that has a strength; `p_wave_velocity` by particle [m/s].
+  /// `failing` is `ground`, where that has a strength; `waves` by particle.
   GroundAtSurface(std::unique_ptr<particles::ParticleForces<D>> ground, const FailingForces<D>* failing,
-                  std::vector<Real> p_wave_velocity, const SurfaceRules& rules)
-      : ground_(std::move(ground)), failing_(failing), p_wave_velocity_(std::move(p_wave_velocity)), rules_(rules) {}
+                  std::vector<WaveVelocities> waves, const SurfaceRules& rules)
+      : ground_(std::move(ground)), failing_(failing), waves_(std::move(waves)), rules_(rules) {}
 
   /// Adds the surface, before the first evaluation or a resume [m]; until then there is none.
   void attach(const state::Particles<D>& particles, std::vector<Vector3> nodes, std::vector<std::array<Index, 3>> faces) {
-    contacts_.emplace(particles, p_wave_velocity_, rules_, std::move(nodes), std::move(faces));
+    contacts_.emplace(particles, waves_, rules_, std::move(nodes), std::move(faces));
   }
   void lead(std::vector<Vector3> from, std::vector<Vector3> with) { contacts_->lead(std::move(from), std::move(with)); }
+  /// Before the beginning: its nodes stand here from now on [m].
+  void put_surface(std::vector<Vector3> nodes) { contacts_->put(std::move(nodes)); }
 
   void evaluate(const state::Particles<D>& particles, state::FreedomColumns<D>& acceleration) override {
     ground_->evaluate(particles, acceleration);
@@ -50,7 +52,7 @@ public:
 private:
   std::unique_ptr<particles::ParticleForces<D>> ground_;
   const FailingForces<D>* failing_;
-  std::vector<Real> p_wave_velocity_;
+  std::vector<WaveVelocities> waves_;
   SurfaceRules rules_;
   std::optional<SurfaceContacts<D>> contacts_;
 };

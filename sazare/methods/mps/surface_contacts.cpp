@@ -36,17 +36,19 @@ Vector3 spin_of(const state::Particles<D>& particles, Index particle) {
 template <int D>
 struct SurfaceContacts<D>::Moving {
   Vector3 centre, velocity, spin;
-  Real stiffness = 0, inverse_mass = 0;
+  Real along = 0, across = 0, inverse_mass = 0;  ///< k_n, k_t
   Real inverse_inertia = 0;  ///< 0 where forces act in the centre
 };
 
 template <int D>
-SurfaceContacts<D>::SurfaceContacts(const state::Particles<D>& particles, std::span<const Real> p_wave_velocity,
+SurfaceContacts<D>::SurfaceContacts(const state::Particles<D>& particles, std::span<const WaveVelocities> waves,
                                     const SurfaceRules& rules, std::vector<Vector3> nodes,
                                     std::vector<std::array<Index, 3>> faces)
     : rules_(rules), spacing_(particles.spacing), surface_(std::move(nodes), std::move(faces)), complex_(surface_.complex()) {
-  for (std::size_t i = 0; i < particles.size(); ++i)
-    stiffness_.push_back(stiffness_over_mass(p_wave_velocity[i], spacing_) / particles.inverse_mass[i]);
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    along_.push_back(stiffness_over_mass(waves[i].p, spacing_) / particles.inverse_mass[i]);
+    across_.push_back(stiffness_over_mass(waves[i].s, spacing_) / particles.inverse_mass[i]);
+  }
 }
 
 template <int D>
@@ -58,6 +60,14 @@ void SurfaceContacts<D>::lead(std::vector<Vector3> from, std::vector<Vector3> wi
   drift_ += farthest;
   surface_.lead(0, 0, std::move(from), std::move(with));
   time_ = 0;
+}
+
+/// What its parts count follows from where it stands, as for a surface that is there from the beginning.
+template <int D>
+void SurfaceContacts<D>::put(std::vector<Vector3> nodes) {
+  std::vector<Vector3> still(nodes.size(), Vector3::Zero());
+  lead(std::move(nodes), std::move(still));
+  complex_ = surface_.complex();
 }
 
 template <int D>
@@ -177,7 +187,8 @@ void SurfaceContacts<D>::evaluate(const state::Particles<D>& particles, bool is_
   const Moving particle{centre_of<D>(particles, near.particle),
                         in_space<D>(velocity_of<D>(particles, near.particle)),
                         is_linked ? spin_of<D>(particles, near.particle) : Vector3(Vector3::Zero()),
-                        stiffness_[i],
+                        along_[i],
+                        across_[i],
                         particles.inverse_mass[i],
                         is_linked ? particles.inverse_inertia[i] : 0};
   const Real deepest = find_faces(particle.centre, near, faces);
@@ -192,19 +203,21 @@ void SurfaceContacts<D>::evaluate(const state::Particles<D>& particles, bool is_
         std::ranges::count_if(found.points(), [](const geometry::FacetPoint& point) { return point.share > 0; }));
     for (const geometry::FacetPoint& point : found.points()) push(particle, point, radius - point.distance, contacts, near);
   }
+  for (const Touch& touch : near.touches)
+    if (touch.is_touching == 0) near.loss += touch.stored;
   std::erase_if(near.touches, [](const Touch& touch) { return touch.is_touching == 0; });
 }
 
-/// Pushes the particle in one point.
+/// Pushes the particle in one point. In a step the mean of the forces at its ends does work, as the stepper counts it; what of it
+/// the spring that slides does not store is lost.
 template <int D>
 void SurfaceContacts<D>::push(const Moving& particle, const geometry::FacetPoint& point, Real overlap, Real contacts,
                               Near& near) const {
   const auto face = surface_.point(at(point.facet), time_, point.place);
   const Vector3& normal = point.normal;
   const Vector3 arm = particle.inverse_inertia > 0 ? Vector3(point.place - particle.centre) : Vector3(Vector3::Zero());
-  const laws::SphereContact law{.stiffness = particle.stiffness,
-                                .damping = 2 * rules_.damping_ratio * std::sqrt(particle.stiffness / particle.inverse_mass),
-                                .friction = rules_.friction};
+  const laws::SphereContact law{.stiffness = particle.along,
+                                .damping = 2 * rules_.damping_ratio * std::sqrt(particle.along / particle.inverse_mass)};
   const Real energy = laws::sphere_energy(law, overlap);
   Vector3 force = point.count * law.stiffness * overlap * normal;
   near.energy += point.count * energy;
@@ -215,17 +228,23 @@ void SurfaceContacts<D>::push(const Moving& particle, const geometry::FacetPoint
     laws::SphereMotion motion;
     motion.overlap = overlap;
     motion.opening_speed = parting.dot(normal);
-    motion.sliding = parting - motion.opening_speed * normal;
-    motion.normal_mass = 1 / particle.inverse_mass;
-    motion.sliding_mass = 1 / (particle.inverse_mass + arm.squaredNorm() * particle.inverse_inertia);
+    motion.normal_mass = motion.sliding_mass = 1 / particle.inverse_mass;
     motion.contacts = contacts;
     motion.step = motion.elapsed = rules_.step;
-    const laws::SphereForce given = laws::sphere_force(law, motion, touch.memory);
-    const Vector3 inelastic = point.share * (given.dashpot * normal + given.friction);
-    near.loss -= 0.5 * rules_.step * parting.dot(inelastic + touch.inelastic);
-    touch.inelastic = inelastic;
-    force += inelastic;
-    near.turning += particle.inverse_inertia * arm.cross(inelastic);
+    const laws::SphereForce given = laws::sphere_force(law, motion, touch.memory.along);
+    const Vector3 way = rules_.step * (parting - motion.opening_speed * normal);
+    touch.memory.across =
+        laws::limited<Real>(touch.memory.across - particle.across * way, rules_.friction * (given.elastic + given.dashpot));
+    const Vector3 dashpot = point.share * given.dashpot * normal, friction = point.share * touch.memory.across;
+    const Real stored = 0.5 * point.share * touch.memory.across.squaredNorm() / particle.across;
+    const Vector3 mean = 0.5 * (dashpot + touch.dashpot + friction + touch.friction);
+    near.loss -= rules_.step * parting.dot(mean) + stored - touch.stored;
+    near.energy += stored;
+    touch.dashpot = dashpot;
+    touch.friction = friction;
+    touch.stored = stored;
+    force += dashpot + friction;
+    near.turning += particle.inverse_inertia * arm.cross(friction);
   }
   force -= energy * point.slope;
   near.acceleration += particle.inverse_mass * force;

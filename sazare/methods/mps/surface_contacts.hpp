@@ -3,10 +3,15 @@
 /// Contact of ground with a surface of triangles whose nodes move (geometry/nodal_surface.hpp).
 ///
 /// A particle is a ball as wide as the spacing, a disc of thickness 1 in the plane. It touches the surface in points that count
-/// so that the force has an energy (geometry/facets/complex.hpp). The law is that of loose particles (laws/sphere_contact.hpp): a
-/// spring, a dashpot, and friction. The spring is the ground between the particle's centre and the surface, half a cell:
-/// k = 2 (lambda + 2 mu), times the spacing in 3-D. What a ball overlaps when it first meets the surface gives no force until they
-/// part.
+/// so that the force has an energy (geometry/facets/complex.hpp). Springs are the ground between a particle's centre and the
+/// surface, half a cell, so that the ground is as stiff up to the surface as within:
+///
+///     N = k_n d - c v_n >= 0     k_n = 2 (lambda + 2 mu), times the spacing in 3-D     d    overlap [m]
+///     T = k_t s, |T| <= f N      k_t = 2 mu, times the spacing in 3-D                  s    stretch by sliding since it stuck
+///     [m]
+///
+/// The dashpot is that of loose particles (laws/sphere_contact.hpp). What a ball overlaps when it first meets the surface gives
+/// no force until they part.
 ///
 /// Friction on a particle that has links acts where it touches, and turns it. Broken ground has no links that would hold it
 /// against rolling, and is a continuum that slides: there the force acts in the particle's centre.
@@ -29,21 +34,27 @@ struct SurfaceRules {
   Real friction = 0;       ///< between ground and surface [-]
 };
 
-/// k/m of a particle, whatever part of a cell it is [1/s2].
-inline Real stiffness_over_mass(Real p_wave_velocity, Real spacing) {
-  return 2 * p_wave_velocity * p_wave_velocity / (spacing * spacing);
+/// Of the ground of a particle [m/s].
+struct WaveVelocities {
+  Real p = 0, s = 0;
+};
+
+/// k_n/m of a particle by the P-wave velocity, k_t/m by the S-wave velocity, whatever part of a cell it is [1/s2].
+inline Real stiffness_over_mass(Real wave_velocity, Real spacing) {
+  return 2 * wave_velocity * wave_velocity / (spacing * spacing);
 }
 
 template <int D>
 class SurfaceContacts {
 public:
-  /// The surface at rest [m], faces by numbers of nodes. `particles` as they are at the beginning, `p_wave_velocity` of each
-  /// [m/s].
-  SurfaceContacts(const state::Particles<D>& particles, std::span<const Real> p_wave_velocity, const SurfaceRules& rules,
+  /// The surface at rest [m], faces by numbers of nodes. `particles` as they are at the beginning, `waves` of each.
+  SurfaceContacts(const state::Particles<D>& particles, std::span<const WaveVelocities> waves, const SurfaceRules& rules,
                   std::vector<Vector3> nodes, std::vector<std::array<Index, 3>> faces);
 
   /// From the last evaluation on the nodes go from these places with these velocities [m; m/s].
   void lead(std::vector<Vector3> from, std::vector<Vector3> with);
+  /// Before the beginning: the nodes stand here from now on [m].
+  void put(std::vector<Vector3> nodes);
 
   /// All forces, a step after those before; `is_linked(particle)`: whether it has links.
   void evaluate(const state::Particles<D>& particles, const std::function<bool(Index)>& is_linked);
@@ -61,12 +72,22 @@ public:
   void columns(Archive& archive);
 
 private:
+  /// What a point remembers: of the dashpot, and the force of the spring that slides, on the particle [N].
+  struct Memory {
+    laws::SphereMemory along;
+    Vector3 across = Vector3::Zero();
+
+    void turn(const Vector3& normal, const Vector3& tilt, Real angle) {
+      across = laws::PlaneTurn<Real>(normal, tilt, angle).carried(across);
+    }
+  };
   struct Touch {
     Index is_touching = 0;
     Index unused = 0;                  ///< no gap, for checkpoints
     Vector3 normal = Vector3::Zero();  ///< from the surface to the particle
-    laws::SphereMemory memory;
-    Vector3 inelastic = Vector3::Zero();  ///< dashpot and friction on the particle at the last evaluation [N]
+    Memory memory;
+    Vector3 dashpot = Vector3::Zero(), friction = Vector3::Zero();  ///< on the particle at the last evaluation [N]
+    Real stored = 0;                                                ///< in the spring that slides, then [J]
   };
   /// What the surface has got in a point of it.
   struct Push {
@@ -96,7 +117,7 @@ private:
 
   SurfaceRules rules_;
   Real spacing_;
-  state::Column stiffness_;  ///< k by particle [N/m; N/m2 in 2-D]
+  state::Column along_, across_;  ///< k_n and k_t by particle [N/m; N/m2 in 2-D]
   geometry::NodalSurface surface_;
   geometry::FacetComplex complex_;
   Real time_ = 0;   ///< since the nodes were led last [s]

@@ -34,9 +34,10 @@ public:
     particles::ParticleSupports<D> supports;
     supports.gravity = scene.box.gravity.head<D>();
     const Real step = window / static_cast<Real>(scene.box.steps);
-    auto ground = std::make_unique<mps::GroundAtSurface<D>>(make_forces(links, step), failing_,
-                                                            std::vector<Real>(particles_.size(), std::sqrt(3.5e5 / 1500)),
-                                                            mps::SurfaceRules{step, 0.2, scene.box.friction});
+    auto ground = std::make_unique<mps::GroundAtSurface<D>>(
+        make_forces(links, step), failing_,
+        std::vector<mps::WaveVelocities>(particles_.size(), {std::sqrt(3.5e5 / 1500), std::sqrt(1e5 / 1500)}),
+        mps::SurfaceRules{step, 0.2, scene.box.friction});
     forces_ = ground.get();
     stepper_ = std::make_unique<particles::UniformStepper<D>>(
         particles_, std::move(ground), supports,

@@ -15,7 +15,7 @@ namespace sazare::methods::mps {
 namespace {
 
 constexpr Real spacing = 0.5;
-const std::vector<Real> wave_velocity(16, Soil{}.p_wave_velocity);  // of more particles than any test has
+const std::vector<WaveVelocities> waves(16, {Soil{}.p_wave_velocity, Soil{}.s_wave_velocity});  // of more than any test has
 
 /// A surface of triangles.
 struct Surface {
@@ -63,7 +63,7 @@ void expect_the_force_is_the_slope_of_the_energy() {
     for (std::size_t i = 0; i < particles.size(); ++i) particles.displacement[1][i] = by;
   };
   const Surface surface = uneven();
-  SurfaceContacts<D> contacts(particles, wave_velocity, {.step = 1e-4}, surface.nodes, surface.faces);
+  SurfaceContacts<D> contacts(particles, waves, {.step = 1e-4}, surface.nodes, surface.faces);
   if constexpr (D == 3)
     for (std::size_t i = 0; i < particles.size(); ++i) particles.displacement[2][i] = -0.5 * spacing;
   const auto linked = [](Index) { return true; };
@@ -117,7 +117,7 @@ struct Sledge {
     particles::ParticleSupports<2> supports;
     supports.gravity = gravity;
     auto own = std::make_unique<GroundAtSurface<2>>(std::make_unique<ElasticForces<2>>(links, RotationRemoval::mean_rotation),
-                                                    nullptr, wave_velocity, rules);
+                                                    nullptr, waves, rules);
     forces = own.get();
     forces->attach(particles, surface.nodes, surface.faces);
     stepper = std::make_unique<particles::UniformStepper<2>>(
@@ -215,7 +215,7 @@ TEST(ground_on_a_surface, balances_its_energy_to_second_order) {
 TEST(ground_on_a_surface, is_not_turned_where_it_is_broken) {
   auto particles = make_particles<2>(box_sites<2>({1, 1}), spacing, {});
   const Surface surface = strips({{-5, 0}, {5, 0}});
-  SurfaceContacts<2> contacts(particles, wave_velocity, {.step = 1e-4, .friction = 0.5}, surface.nodes, surface.faces);
+  SurfaceContacts<2> contacts(particles, waves, {.step = 1e-4, .friction = 0.5}, surface.nodes, surface.faces);
   particles.displacement[1][0] = 0.01;
   for (const bool is_linked : {true, false}) {
     auto acceleration = zero<2>(particles);

@@ -132,25 +132,34 @@ struct HybridWork final : WorkDefaults {
     return true;
   }
 
-  /// The equilibrium of both sides: that of the continuum with the force of the bodies on it, and that of the bodies on the
-  /// surface where it then stands, in turns. False when asked to stop.
+  /// The equilibrium of both sides: that of the continuum under a force, and that of the bodies on the surface where it then
+  /// stands, until the force of the bodies is that one. The force grows from none by shares of what it lacks, which follow from
+  /// the last two turns (Aitken's relaxation), so that a surface which yields is approached from one side. False when asked to
+  /// stop.
   bool settle_together(const methods::hybrid::ContinuumState<D>& unloaded) {
-    constexpr Real least_change = 1e-4;  // of the force
-    constexpr int most_turns = 30;
-    std::vector<Real> before;
+    constexpr Real first_share = 0.1, least_share = 0.02, tolerance = 1e-4;
+    constexpr int most_turns = 60;
+    Eigen::VectorXd force = Eigen::VectorXd::Zero(vector_of(model.bodies.side.force().last).size()), lack_before;
+    Real share = first_share;
     for (int turn = 0; turn < most_turns; ++turn) {
-      const std::vector<Real> force = model.bodies.side.force().last;
-      if (!before.empty() && (vector_of(force) - vector_of(before)).norm() <= least_change * vector_of(force).norm()) return true;
+      const std::vector<Real> found = model.bodies.side.force().last;
+      const Eigen::VectorXd lack = vector_of(found) - force;
+      if (lack.norm() <= tolerance * vector_of(found).norm()) return true;
+      if (turn > 0) {
+        const Eigen::VectorXd change = lack - lack_before;
+        share = std::clamp(-share * lack_before.dot(change) / change.squaredNorm(), least_share, Real{1});
+      }
+      lack_before = lack;
+      force += share * lack;
       model.continuum.stepper->restore(unloaded);
-      model.continuum.stepper->relax(model.continuum_side.on_nodes(force));
+      model.continuum.stepper->relax(model.continuum_side.on_nodes({force.begin(), force.end()}));
       model.bodies.side.move_to(model.continuum_side.shape());
       if (!model.bodies.prepare(options)) return false;
-      before = force;
     }
-    throw PhysicsError(
-        fmt::format("no equilibrium of both sides: after {} turns the force between them still changes by more than {} of it\n"
-                    "  is the continuum held, and the ground stable? Without settle on one side, both begin as they are",
-                    most_turns, cases::short_number(least_change)));
+    throw PhysicsError(fmt::format(
+        "no equilibrium of both sides: after {} turns the forces on the surface still differ by more than {} of them\n"
+        "  is the continuum held, and the ground stable? Without settle on one side, both begin as they are",
+        most_turns, cases::short_number(tolerance)));
   }
   bool advance(const Pause&) {
     TimedChannel channel(model.bodies.side, times, parts[1]);

@@ -173,16 +173,19 @@ std::unique_ptr<particles::UniformStepper<D>> MpsParts<D>::stepper(const cases::
 
 namespace {
 
-/// P-wave velocity of the ground by particle [m/s].
-std::vector<Real> p_wave_velocities(const cases::MpsCase& mps, const std::vector<Index>& material) {
-  std::vector<Real> velocity;
-  for (const Index ground : material) velocity.push_back(mps.materials[static_cast<std::size_t>(ground)].p_wave_velocity);
-  return velocity;
+/// Of the ground by particle.
+std::vector<methods::mps::WaveVelocities> wave_velocities(const cases::MpsCase& mps, const std::vector<Index>& material) {
+  std::vector<methods::mps::WaveVelocities> waves;
+  for (const Index number : material) {
+    const cases::Ground& ground = mps.materials[static_cast<std::size_t>(number)];
+    waves.push_back({ground.p_wave_velocity, ground.s_wave_velocity});
+  }
+  return waves;
 }
 
 /// What the contacts with a surface give a particle at most over its mass, where it lies between two faces [1/s2].
-Real square_of_contacts(const std::vector<Real>& p_wave_velocity, Real spacing) {
-  return 2 * methods::mps::stiffness_over_mass(std::ranges::max(p_wave_velocity), spacing);
+Real square_of_contacts(const std::vector<methods::mps::WaveVelocities>& waves, Real spacing) {
+  return 2 * methods::mps::stiffness_over_mass(std::ranges::max_element(waves, {}, &methods::mps::WaveVelocities::p)->p, spacing);
 }
 
 }  // namespace
@@ -194,9 +197,8 @@ MpsModel<D> build_mps(const cases::CaseFile& file, const std::optional<MpsCoupli
   const SideParts<D> beside = make_side_parts<D>(file, parts);
   MpsModel<D> model;
   model.limit = beside.predict(parts.predict());
-  const std::vector<Real> velocity = p_wave_velocities(mps, parts.material);
-  if (coupling)
-    model.limit = methods::mps::with_outside_springs(model.limit, square_of_contacts(velocity, parts.particles.spacing));
+  const std::vector<methods::mps::WaveVelocities> waves = wave_velocities(mps, parts.material);
+  if (coupling) model.limit = methods::mps::with_outside_springs(model.limit, square_of_contacts(waves, parts.particles.spacing));
   model.number_density = parts.links.number_density;
   model.filling = parts.filling;
   model.material = parts.material;
@@ -208,7 +210,7 @@ MpsModel<D> build_mps(const cases::CaseFile& file, const std::optional<MpsCoupli
   model.failing = dynamic_cast<const methods::mps::FailingForces<D>*>(forces.get());
   if (coupling) {
     const methods::mps::SurfaceRules rules{model.step, mps.contact.damping_ratio, coupling->friction};
-    auto at_surface = std::make_unique<methods::mps::GroundAtSurface<D>>(std::move(forces), model.failing, velocity, rules);
+    auto at_surface = std::make_unique<methods::mps::GroundAtSurface<D>>(std::move(forces), model.failing, waves, rules);
     model.at_surface = at_surface.get();
     forces = std::move(at_surface);
   }
