@@ -51,7 +51,7 @@ void FemStepper<D>::hold_sides() {
         for (int axis = 0; axis < D; ++axis) unknowns_.is_free[number<D>(node, axis)] = 0;
 }
 
-/// Tied nodes have their displacement in common, and where both have one their pressure.
+/// Tied nodes have their displacement in common, and where both have them their pressure and their rotation.
 template <int D>
 void FemStepper<D>::find_leaders() {
   unknowns_.leader.resize(body_->freedoms());
@@ -68,9 +68,14 @@ void FemStepper<D>::find_leaders() {
   const auto& pores = body_->pores();
   for (std::size_t pressure = 0; pressure < pores.pressure_nodes(); ++pressure)
     pressure_of[pores.node_of(pressure)] = pores.pressure_node(pressure);
+  std::map<Index, Index> rotation_of;
+  const auto& members = body_->members();
+  for (std::size_t rotation = 0; rotation < members.rotation_nodes(); ++rotation)
+    rotation_of[members.node_of(rotation)] = members.rotation_node(rotation);
   for (const auto& [node, leader] : supports_.tied) {
     tie(node, leader);
     if (pressure_of.contains(node) && pressure_of.contains(leader)) tie(pressure_of[node], pressure_of[leader]);
+    if (rotation_of.contains(node) && rotation_of.contains(leader)) tie(rotation_of[node], rotation_of[leader]);
   }
 }
 

@@ -75,5 +75,31 @@ TEST(ties, keep_momentum_and_energy) {
   });
 }
 
+/// A beam that goes on alike, on supports and with a force in the middle of every span, is clamped at its supports.
+TEST(ties, hold_the_rotations_of_beams) {
+  BodyDescription description;
+  description.mesh.dimension = 2;
+  MemberSet beam{.name = "beam", .kind = MemberKind::beam};
+  beam.youngs_modulus = 2e11;
+  beam.area = 1e-2;
+  beam.second_moment = 2e-5;
+  beam.density = 7850;
+  for (Index i = 0; i <= 4; ++i) {
+    description.mesh.nodes.emplace_back(i, 0, 0);
+    description.mesh.node_tags.push_back(i + 1);
+    if (i > 0) beam.lines.push_back({i - 1, i});
+  }
+  description.members = {beam};
+  Supports<2> supports;
+  for (const Index node : {0, 4})
+    for (const int axis : {0, 1}) supports.held.push_back({node, axis, Support::no_motion, 0});
+  supports.tied = {{0, 4}};
+  FemStepper<2> stepper(std::make_unique<Body<2>>(std::move(description)), supports, {.step = 1, .statics = true, .damping = {}});
+  stepper.start();
+  stepper.apply({0, 0, 0, 0, 0, -1000, 0, 0, 0, 0});
+  stepper.advance();
+  EXPECT_NEAR(stepper.state().displacement[5], -1000 * 64 / (192 * 2e11 * 2e-5), 1e-12);
+}
+
 }  // namespace
 }  // namespace sazare::methods::fem
