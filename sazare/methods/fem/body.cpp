@@ -27,7 +27,7 @@ Body<D>::Body(BodyDescription description)
       buffer_(pattern_, changing_groups()) {
   prestress_.assign(freedoms(), 0);
   members_.add_prestress(prestress_);
-  members_.add_stiffness(linear_);
+  members_.add_stiffness(linear_, false);
   members_.add_mass(mass_);
   const geometry::ElementMesh& mesh = description_.mesh;
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
@@ -55,6 +55,7 @@ NodeGroups Body<D>::changing_groups() const {
   NodeGroups groups;
   for (std::size_t i = 0; i < yielding_.size(); ++i) groups.add(description_.mesh.elements[at(yielding_.element(i))].node_list());
   for (std::size_t j = 0; j < joints_.size(); ++j) groups.add(joints_.nodes(j));
+  for (std::size_t i = 0; i < members_.yielding(); ++i) groups.add(members_.yielding_nodes(i));
   return groups;
 }
 
@@ -84,6 +85,7 @@ bool Body<D>::is_symmetric() const {
 template <int D>
 BlockMatrix<D> Body<D>::elastic_stiffness() const {
   BlockMatrix<D> result = linear_;
+  members_.add_stiffness(result, true);
   const geometry::ElementMesh& mesh = description_.mesh;
   for (std::size_t i = 0; i < yielding_.size(); ++i) {
     const std::size_t e = at(yielding_.element(i));
@@ -155,7 +157,8 @@ std::vector<Real> Body<D>::pore_pressures() const {
 
 template <int D>
 Memory Body<D>::memory_at_rest() const {
-  return {std::vector<Real>(yielding_.memory_size(), 0), std::vector<Real>(joints_.memory_size(), 0)};
+  return {std::vector<Real>(yielding_.memory_size(), 0), std::vector<Real>(joints_.memory_size(), 0),
+          std::vector<Real>(members_.memory_size(), 0)};
 }
 
 template <int D>
@@ -174,10 +177,13 @@ bool Body<D>::evaluate(const NodalColumn& displacement, const Memory& before, Me
     for (std::size_t group = begin; group < end; ++group) {
       const auto matrix = tangent == nullptr ? std::span<Real>{} : buffer_.matrix(group);
       old.assign(matrix.begin(), matrix.end());
-      if (group < yielding_.size())
+      const std::size_t solids = yielding_.size(), joints = solids + joints_.size();
+      if (group < solids)
         yielding_.evaluate(group, displacement, before.solids, after.solids, buffer_.force(group), matrix);
+      else if (group < joints)
+        joints_.evaluate(group - solids, displacement, before.joints, after.joints, buffer_.force(group), matrix);
       else
-        joints_.evaluate(group - yielding_.size(), displacement, before.joints, after.joints, buffer_.force(group), matrix);
+        members_.evaluate(group - joints, displacement, before.members, after.members, buffer_.force(group), matrix);
       if (!std::ranges::equal(old, matrix)) changed = true;
     }
   });
@@ -205,6 +211,11 @@ typename Body<D>::Energies Body<D>::energies(const NodalColumn& displacement_bef
     const auto part = joints_.energies(j, displacement_before, displacement, before.joints, after.joints);
     result.elastic += part.elastic;
     result.friction += part.friction;
+  }
+  for (std::size_t i = 0; i < members_.yielding(); ++i) {
+    const auto part = members_.energies(i, displacement_before, displacement, before.members, after.members);
+    result.elastic += part.elastic;
+    result.members += part.plastic;
   }
   return result;
 }

@@ -26,6 +26,7 @@ struct BodyDescription {
 struct Memory {
   std::vector<Real> solids;  ///< plastic strains, slips and what else their laws remember
   std::vector<Real> joints;  ///< slips
+  std::vector<Real> members;  ///< plastic elongations and rotations
 };
 
 template <int D>
@@ -47,10 +48,10 @@ public:
   Real total_mass() const;
 
   /// Nothing yields and there are no joints: forces are the stiffness times the displacements.
-  bool is_linear() const { return yielding_.size() + joints_.size() == 0; }
+  bool is_linear() const { return yielding_.size() + joints_.size() + members_.yielding() == 0; }
   bool is_symmetric() const;
 
-  /// Elastic stiffness of all elements, without joints.
+  /// Elastic stiffness of all elements and members, without joints.
   BlockMatrix<D> elastic_stiffness() const;
 
   /// Dashpots, and a1 h M + a2 h K, with h the damping ratio of each element's material; K is the elastic one, also where the
@@ -80,6 +81,7 @@ public:
     Real elastic = 0;   ///< stored [J]
     Real plastic = 0;   ///< dissipated by plastic flow between the two states [J]
     Real friction = 0;  ///< dissipated by joints [J]
+    Real members = 0;   ///< dissipated by members that yield [J]
   };
   Energies energies(const NodalColumn& displacement_before, const NodalColumn& displacement, const Memory& before,
                     const Memory& after) const;
@@ -111,9 +113,9 @@ private:
   Members<D> members_;
   NodePattern pattern_;
   BlockMatrix<D> mass_;
-  BlockMatrix<D> linear_;  ///< stiffness of the elements that never yield, and of members
-  NodalColumn prestress_;  ///< of members [N]
-  GroupBuffer<D> buffer_;  ///< yielding elements, then joints
+  BlockMatrix<D> linear_;  ///< stiffness of the elements and members that never yield
+  NodalColumn prestress_;  ///< of members that never yield [N]
+  GroupBuffer<D> buffer_;  ///< yielding elements, then joints, then yielding members
   bool has_tangent_ = false;
 };
 

@@ -39,6 +39,7 @@ void FemStepper<D>::add_work(const Trial& trial, const NodalColumn& balance, con
     const auto taken = body_->energies(state_.displacement, trial.displacement, state_.memory, trial.memory);
     work.plastic += taken.plastic;
     work.friction += taken.friction;
+    work.members += taken.members;
   }
   if (stage_ == Stage::relaxing) return;
   const bool brings = rules_.statics && span.from == 0;
@@ -138,7 +139,8 @@ Real FemStepper<D>::energy_residual() const {
   const FemWork& work = state_.work;
   const Real done = work.gravity + work.loads + work.water + work.boundary + work.waves + work.sides;
   const Real kinetic = rules_.statics ? 0 : kinetic_energy();
-  return done - kinetic - elastic_energy() - work.damping - work.radiation - work.plastic - work.friction - work.seepage;
+  return done - kinetic - elastic_energy() - work.damping - work.radiation - work.plastic - work.friction - work.seepage -
+         work.members;
 }
 
 // The class is instantiated in stepper.cpp, without these.

@@ -13,17 +13,6 @@ namespace {
 
 constexpr Real poisson_ratio = 0.3;  // of the twist of beams
 
-/// The slope of a beam's axis by the rotation of a node; in the plane the rotation is the first component.
-template <int D>
-Eigen::Matrix<Real, D, D> slope_of_rotation(const Vector<D>& along) {
-  Eigen::Matrix<Real, D, D> slope = Eigen::Matrix<Real, D, D>::Zero();
-  if constexpr (D == 2)
-    slope.col(0) = Vector<2>(-along.y(), along.x());
-  else
-    for (int axis = 0; axis < 3; ++axis) slope.col(axis) = Vector3(Vector3::Unit(axis).cross(along));
-  return slope;
-}
-
 /// Deflection and slope at either end, of the cubic of a beam with EI = 1.
 Eigen::Matrix4d bending_stiffness(Real length) {
   const Real l = length;
@@ -69,6 +58,8 @@ Members<D>::Members(const geometry::ElementMesh& mesh, std::vector<MemberSet> se
   for (std::size_t set = 0; set < sets_.size(); ++set)
     for (const auto& line : sets_[set].lines) elements_.push_back(make(set, line, mesh, mass));
   if constexpr (D == 3) steady_spins();
+  place_hinges();
+  find_yielding();
 }
 
 template <int D>
@@ -86,12 +77,15 @@ typename Members<D>::Element Members<D>::make(std::size_t set, const std::array<
   Element element;
   element.set = set;
   element.nodes = {ends[0], ends[1]};
+  element.length = length;
   element.along = way / length;
   const Eigen::Matrix<Real, D, D> along = element.along * element.along.transpose();
   const int size = of.kind == MemberKind::beam ? 4 * D : 2 * D;
   element.stiffness = element.mass = element.damping = Eigen::MatrixXd::Zero(size, size);
   const Real stretch = of.kind == MemberKind::spring ? of.stiffness : of.youngs_modulus * of.area / length;
   if (of.kind != MemberKind::dashpot) add_ends<D>(element.stiffness, 0, stretch * line_stiffness, along);
+  if (of.kind == MemberKind::bar || of.kind == MemberKind::spring)
+    element.limits = laws::AxialLimits{stretch, of.prestress, of.yield_force, of.compression_force};
   if (of.kind == MemberKind::dashpot) add_ends<D>(element.damping, 0, of.damping * line_stiffness, along);
   const Real whole = of.density * of.area * length;
   const Eigen::Matrix<Real, D, D> all = Eigen::Matrix<Real, D, D>::Identity();
@@ -158,8 +152,9 @@ void Members<D>::steady_spins() {
 }
 
 template <int D>
-void Members<D>::add_stiffness(BlockMatrix<D>& matrix) const {
-  for (const Element& element : elements_) matrix.add(element.nodes, element.stiffness);
+void Members<D>::add_stiffness(BlockMatrix<D>& matrix, bool of_yielding) const {
+  for (const Element& element : elements_)
+    if (element.yields == of_yielding) matrix.add(element.nodes, element.stiffness);
 }
 
 template <int D>
@@ -178,7 +173,7 @@ void Members<D>::add_damping(Real mass_rate, Real stiffness_time, BlockMatrix<D>
 template <int D>
 void Members<D>::add_prestress(NodalColumn& force) const {
   for (const Element& element : elements_)
-    for (int axis = 0; axis < D; ++axis) {
+    for (int axis = 0; axis < D && !element.yields; ++axis) {
       const Real part = sets_[element.set].prestress * element.along[axis];
       force[number<D>(element.nodes[0], axis)] -= part;
       force[number<D>(element.nodes[1], axis)] += part;
@@ -186,20 +181,23 @@ void Members<D>::add_prestress(NodalColumn& force) const {
 }
 
 template <int D>
-MemberForces Members<D>::forces(std::size_t set, const NodalColumn& displacement, const NodalColumn& velocity) const {
+MemberForces Members<D>::forces(std::size_t set, const NodalColumn& displacement, const NodalColumn& velocity,
+                                std::span<const Real> memory) const {
   MemberForces found;
   bool is_first = true;
   for (const Element& element : elements_) {
     if (element.set != set) continue;
-    Eigen::VectorXd moved(element.stiffness.cols()), speed(moved.size());
-    for (Eigen::Index i = 0; i < moved.size(); ++i) {
-      const std::size_t place = number<D>(element.nodes[static_cast<std::size_t>(i / D)], static_cast<int>(i % D));
-      moved[i] = displacement[place];
-      speed[i] = velocity[place];
+    const Eigen::VectorXd moved = of_nodes(element, displacement), speed = of_nodes(element, velocity);
+    Eigen::VectorXd force = element.stiffness * moved + element.damping * speed;
+    Real prestress = sets_[set].prestress;
+    if (element.yields) {
+      const Response response = respond(element, moved, memory);
+      force = response.force + element.damping * speed;
+      prestress = 0;  // is part of the response
+      tell_plastic(element, response, found);
     }
-    const Eigen::VectorXd force = element.stiffness * moved + element.damping * speed;
     const Vector<D> end = force.template segment<D>(D);
-    const Real axial = end.dot(element.along) + sets_[set].prestress;
+    const Real axial = end.dot(element.along) + prestress;
     found.least_axial = is_first ? axial : std::min(found.least_axial, axial);
     found.largest_axial = is_first ? axial : std::max(found.largest_axial, axial);
     is_first = false;

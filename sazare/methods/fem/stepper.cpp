@@ -356,6 +356,7 @@ void FemStepper<D>::columns(Archive& archive) {
   archive("carried", state_.carried);
   archive("plastic", state_.memory.solids);
   archive("slip", state_.memory.joints);
+  archive("yielded", state_.memory.members);
   archive("tangent", state_.tangent.values());
   archive("initial_displacement", initial_displacement_);
   archive("reaction", reaction_);

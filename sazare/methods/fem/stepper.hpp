@@ -34,6 +34,7 @@ struct FemWork {
   Real radiation = 0;  ///< dissipated by viscous boundaries, and by the dashpots of free-field sides
   Real plastic = 0;    ///< dissipated by plastic flow
   Real friction = 0;   ///< dissipated by joints
+  Real members = 0;    ///< dissipated by members that yield
   Real seepage = 0;    ///< dissipated by the flow of pore water
 };
 

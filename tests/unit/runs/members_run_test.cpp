@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include "sazare/core/error.hpp"
 #include "sazare/registry/registry.hpp"
@@ -113,6 +116,59 @@ TEST(members_run, tie_with_a_prestress_bends_two_piles) {
   EXPECT_NEAR(last_of(history, "tie.axial_force_max [N]"), force, 1e-4 * force);
   EXPECT_NEAR(last_of(history, "piles.shear_force_max [N]"), force, 1e-4 * force);
   EXPECT_NEAR(last_of(history, "piles.moment_max [N m]"), 4 * force, 1e-4 * 4 * force);
+}
+
+/// Piles that bear less than the tie would bend them by, in ground that holds their heads when both feet are hinges.
+const std::vector<std::string> weak = {"members.0.yield_moment=2e4", "members.1.yield_force=2e5", "members.1.compression_force=0",
+                                       "materials.0.youngs_modulus=1e5"};
+
+TEST(members_run, piles_yield_at_their_feet_and_relieve_the_tie) {
+  const Folder folder;
+  registry::run_case(folder.read(weak), {folder / "run", Begin::fresh, true, nullptr});
+  const std::string history = read_text(folder / "run/history.csv");
+  const Real moment = 2e4 / 2;  // per metre
+  EXPECT_NEAR(last_of(history, "piles.moment_max [N m]"), moment, 1e-5 * moment);
+  EXPECT_NEAR(last_of(history, "piles.moment_ratio [-]"), 1, 1e-5);
+  EXPECT_GT(last_of(history, "tie.axial_force_max [N]"), moment / 4);  // the ground bears some of it
+  EXPECT_LT(last_of(history, "tie.axial_force_max [N]"), 4286);        // of elastic piles
+  EXPECT_NEAR(last_of(history, "tie.force_ratio [-]"), last_of(history, "tie.axial_force_max [N]") / 1e5, 1e-6);
+  EXPECT_EQ(last_of(history, "tie.plastic_elongation [m]"), 0);
+  const auto figures = test::read_manifest(folder / "run")["results"];
+  EXPECT_EQ(figures["yield_time_piles"].get<Real>(), 1);
+  EXPECT_GT(figures["plastic_rotation_piles"].get<Real>(), 0);
+  EXPECT_NEAR(figures["plastic_rotation_piles"].get<Real>(), last_of(history, "piles.plastic_rotation [rad]"), 1e-9);
+  EXPECT_FALSE(figures.contains("yield_time_tie"));
+  EXPECT_GT(figures["energy_members"].get<Real>(), 0);
+}
+
+TEST(members_run, check_prints_their_limits) {
+  const std::string text = registry::check_case(Folder().read(weak));
+  EXPECT_NE(text.find("yields at 20000 N m"), std::string::npos) << text;
+  EXPECT_NE(text.find("yields at 200000 N in tension, goes slack in compression"), std::string::npos) << text;
+}
+
+/// Dynamic, with a hinge that turns: in two parts as in one.
+TEST(members_run, goes_on_from_a_checkpoint_with_the_same_bits) {
+  const Folder folder;
+  std::vector<std::string> settings = weak;
+  settings.insert(settings.end(), {"time.analysis=dynamic", "time.step=0.01", "time.end=0.4"});
+  const auto file = folder.read(settings);
+  registry::run_case(file, {folder / "whole", Begin::fresh, true, nullptr});
+  int count = 1;
+  for (;; ++count) {
+    std::atomic<bool> stop = false;
+    std::jthread alarm([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5 + 5 * count));
+      stop = true;
+    });
+    const auto begin = count == 1 ? Begin::fresh : Begin::resume;
+    if (!registry::run_case(file, {folder / "parts", begin, true, &stop}).stopped) break;
+  }
+  EXPECT_GT(count, 1);
+  const auto whole = test::read_manifest(folder / "whole"), parts = test::read_manifest(folder / "parts");
+  EXPECT_EQ(whole["state_hash"], parts["state_hash"]);
+  EXPECT_GT(whole["results"]["energy_members"].get<Real>(), 0);
+  EXPECT_EQ(whole["results"]["yield_time_piles"], parts["results"]["yield_time_piles"]);
 }
 
 TEST(members_run, says_what_does_not_fit_the_mesh) {

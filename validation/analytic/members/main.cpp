@@ -87,7 +87,11 @@ Real frame() {
   NodalColumn force(8, 0);
   force[2] = force[4] = 500;
   const auto stepper = at_rest<2>(std::move(body), clamped<2>({0, 3}), force);
-  return stepper.body().members().forces(0, stepper.state().displacement, stepper.state().velocity).moment / (1000 * 4.0 / 2);
+  return stepper.body()
+             .members()
+             .forces(0, stepper.state().displacement, stepper.state().velocity, stepper.state().memory.members)
+             .moment /
+         (1000 * 4.0 / 2);
 }
 
 /// A long pile on springs, pushed at its head: deflection and moment over those of Hetenyi's beam.
@@ -115,7 +119,10 @@ std::array<Real, 2> pile_on_springs() {
   force[0] = push;
   const auto stepper = at_rest<2>(std::move(body), supports, force);
   const Real beta = std::pow(bedding / (4 * modulus * second_moment), 0.25);
-  const Real moment = stepper.body().members().forces(0, stepper.state().displacement, stepper.state().velocity).moment;
+  const Real moment = stepper.body()
+                          .members()
+                          .forces(0, stepper.state().displacement, stepper.state().velocity, stepper.state().memory.members)
+                          .moment;
   return {stepper.state().displacement[0] / (2 * push * beta / bedding),
           moment / (push / beta * std::exp(-std::numbers::pi / 4) * std::sin(std::numbers::pi / 4))};
 }
@@ -167,6 +174,89 @@ std::array<Real, 2> wave() {
           std::abs(stepper.energy_residual()) / stepper.work().loads};
 }
 
+constexpr Real plastic_moment = 1e5;
+
+/// Moves a node along an axis, to and fro where there are cycles, else one way; steps of a static run.
+FemStepper<2> moved(BodyDescription body, Supports<2> supports, const Support& support, Real way, Real cycles, int steps) {
+  laws::GroundMotion motion;
+  motion.quantity = laws::MotionQuantity::displacement;
+  motion.amplitude = way;
+  motion.shape = cycles > 0 ? laws::GroundMotion::Shape::sine : laws::GroundMotion::Shape::record;
+  motion.sine_wave = {cycles / steps, 0};
+  motion.record = laws::Record::make(steps, {0, 1});
+  supports.motions = {motion};
+  supports.held.push_back({support.node, support.axis, 0, 0});
+  FemStepper<2> stepper(std::make_unique<Body<2>>(std::move(body)), std::move(supports), rules_of(1, true));
+  stepper.start();
+  for (int step = 0; step < steps; ++step) stepper.advance();
+  return stepper;
+}
+
+/// The force with which a node is moved far.
+Real limit_load(BodyDescription body, Supports<2> supports, const Support& support, Real way) {
+  body.members[0].yield_moment = plastic_moment;
+  const auto stepper = moved(std::move(body), std::move(supports), support, way, 0, 40);
+  return std::abs(stepper.reactions()[static_cast<std::size_t>(2 * support.node + support.axis)]);
+}
+
+Real cantilever_limit() {
+  return limit_load(line_of(2, {4, 0, 0}, 5, MemberKind::beam), clamped<2>({0}), {5, 1}, 2) / (plastic_moment / 4);
+}
+
+Real propped_limit() {
+  Supports<2> supports = clamped<2>({0});
+  supports.held.push_back({6, 1, Support::no_motion, 0});
+  return limit_load(line_of(2, {4, 0, 0}, 6, MemberKind::beam), supports, {3, 1}, -1) / (6 * plastic_moment / 4);
+}
+
+Real frame_limit() {
+  BodyDescription body;
+  body.mesh.dimension = 2;
+  body.mesh.nodes = {{0, 0, 0}, {0, 4, 0}, {4, 4, 0}, {4, 0, 0}};
+  body.mesh.node_tags = {1, 2, 3, 4};
+  body.members = {steel(MemberKind::beam, {{0, 1}, {3, 2}, {1, 2}})};
+  return limit_load(std::move(body), clamped<2>({0, 3}), {1, 0}, 1) / (4 * plastic_moment / 4);
+}
+
+/// A long pile in soil that resists with the same force at every depth, pushed at its head.
+Real pile_limit() {
+  constexpr int pieces = 200;
+  constexpr Real long_pile = 12, resistance = 3e4;
+  BodyDescription body = line_of(2, {0, -long_pile, 0}, pieces, MemberKind::beam);
+  MemberSet soil;
+  soil.name = "soil";
+  soil.kind = MemberKind::spring;
+  soil.stiffness = 5e7 * long_pile / pieces;
+  soil.yield_force = resistance * long_pile / pieces;
+  MemberSet half = soil;
+  half.stiffness /= 2;
+  half.yield_force /= 2;
+  Supports<2> supports;
+  for (Index i = 0; i <= pieces; ++i) {
+    const auto beside = static_cast<Index>(body.mesh.nodes.size());
+    body.mesh.nodes.push_back(body.mesh.nodes[static_cast<std::size_t>(i)] + Vector3(1, 0, 0));
+    body.mesh.node_tags.push_back(beside + 1);
+    (i == 0 || i == pieces ? half : soil).lines.push_back({i, beside});
+    for (const int axis : {0, 1}) supports.held.push_back({beside, axis, Support::no_motion, 0});
+  }
+  supports.held.push_back({pieces, 1, Support::no_motion, 0});
+  body.members.insert(body.members.end(), {soil, half});
+  return limit_load(std::move(body), supports, {0, 0}, 1) / std::sqrt(2 * resistance * plastic_moment);
+}
+
+/// What a bar dissipates in a cycle beyond its yield force, over that of theory, and the residual of the balance of energy.
+std::array<Real, 2> cycle() {
+  constexpr Real yield = 1e5, way = 2e-3, stiffness = modulus * area / 10;
+  constexpr int steps = 4000;
+  BodyDescription body = line_of(2, {10, 0, 0}, 1, MemberKind::bar);
+  body.members[0].yield_force = yield;
+  Supports<2> supports = clamped<2>({0});
+  supports.held.push_back({1, 1, Support::no_motion, 0});
+  const auto once = moved(body, supports, {1, 0}, way, 1, steps), twice = moved(body, supports, {1, 0}, way, 2, 2 * steps);
+  return {(twice.work().members - once.work().members) / (4 * yield * (way - yield / stiffness)),
+          std::abs(twice.energy_residual()) / twice.work().members};
+}
+
 }  // namespace
 
 int main() {
@@ -179,4 +269,11 @@ int main() {
   const auto bar = wave();
   validation::print_row("bar-wave", bar[0]);
   validation::print_row("bar-energy", bar[1]);
+  validation::print_row("cantilever-limit", cantilever_limit());
+  validation::print_row("propped-limit", propped_limit());
+  validation::print_row("frame-limit", frame_limit());
+  validation::print_row("pile-limit", pile_limit());
+  const auto loop = cycle();
+  validation::print_row("cycle", loop[0]);
+  validation::print_row("cycle-energy", loop[1]);
 }

@@ -135,6 +135,9 @@ struct FemMember {
   Real density = 0;                                      // kg/m3
   Real damping_ratio = 0;
   Real prestress = 0;  // N
+  std::optional<Real> yield_force;        // N
+  std::optional<Real> compression_force;  // N
+  std::optional<Real> yield_moment;       // N m
   Real stiffness = 0;  // N/m
   Real damping = 0;    // N s/m
   Real spacing = 0;    // m, across the plane

@@ -72,15 +72,27 @@ std::string water_text(const FemWater& water) {
   return text;
 }
 
+std::string limits_text(const FemMember& member) {
+  std::string text;
+  if (member.yield_force)
+    text += fmt::format(", yields at {} N{}", number(*member.yield_force), member.compression_force ? " in tension" : "");
+  if (member.compression_force)
+    text += *member.compression_force > 0 ? fmt::format(", gives way in compression at {} N", number(*member.compression_force))
+                                          : ", goes slack in compression";
+  if (member.yield_moment) text += fmt::format(", yields at {} N m", number(*member.yield_moment));
+  return text;
+}
+
 std::string member_text(const FemMember& member) {
   std::string text = fmt::format(
       "{}: {} {}", member.name, word(member.kind),
       member.on_group() ? "along " + member.group : "from " + vector_text(member.from) + " to " + vector_text(member.to) + " m");
-  if (member.kind == FemMemberKind::spring) return text + fmt::format(", {} N/m", number(member.stiffness));
+  if (member.kind == FemMemberKind::spring) return text + fmt::format(", {} N/m", number(member.stiffness)) + limits_text(member);
   if (member.kind == FemMemberKind::dashpot) return text + fmt::format(", {} N s/m", number(member.damping));
   text += fmt::format(", E {} Pa, area {} m2", number(member.youngs_modulus), number(member.area));
   if (member.kind == FemMemberKind::beam) text += fmt::format(", second moment {} m4", number(member.second_moment));
   if (member.prestress != 0) text += fmt::format(", prestress {} N", number(member.prestress));
+  text += limits_text(member);
   if (member.spacing != 1) text += fmt::format(", every {} m", number(member.spacing));
   return text;
 }

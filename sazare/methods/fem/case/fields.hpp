@@ -171,6 +171,10 @@ void visit_fields(Visitor& visit, FemMember& member) {
     visit("to", member.to);
   }
   visit("spacing", member.spacing);
+  if (member.kind == FemMemberKind::bar || member.kind == FemMemberKind::spring) {
+    visit("yield_force", member.yield_force);
+    visit("compression_force", member.compression_force);
+  }
   if (member.kind == FemMemberKind::spring) visit("stiffness", member.stiffness);
   if (member.kind == FemMemberKind::dashpot) visit("damping", member.damping);
   if (member.kind == FemMemberKind::spring || member.kind == FemMemberKind::dashpot) return;
@@ -179,6 +183,7 @@ void visit_fields(Visitor& visit, FemMember& member) {
   visit("density", member.density);
   visit("damping_ratio", member.damping_ratio);
   if (member.kind == FemMemberKind::beam) visit("second_moment", member.second_moment);
+  if (member.kind == FemMemberKind::beam) visit("yield_moment", member.yield_moment);
   if (member.kind == FemMemberKind::bar) visit("prestress", member.prestress);
 }
 

@@ -36,8 +36,8 @@ inline constexpr std::array member_keys{
         .default_text = "1.0",
         .note = "2-D only",
         .sentence =
-            "Distance of such members across the plane: section, mass, prestress, stiffness and damping of each are divided "
-            "by it, and forces in results are per metre."},
+            "Distance of such members across the plane: section, mass, prestress, limits, stiffness and damping of each are "
+            "divided by it, and forces in results are per metre."},
     Key{.name = "youngs_modulus",
         .type = Type::number,
         .unit = "Pa",
@@ -75,6 +75,26 @@ inline constexpr std::array member_keys{
         .default_text = "0.0",
         .note = "bars only",
         .sentence = "Tension of a bar before the body gives way to it; settle includes it."},
+    Key{.name = "yield_force",
+        .type = Type::number,
+        .unit = "N",
+        .range = positive,
+        .note = "bars and springs; without it elastic",
+        .sentence = "Axial force at which it yields, perfectly plastic, in tension and in compression."},
+    Key{.name = "compression_force",
+        .type = Type::number,
+        .unit = "N",
+        .range = not_negative,
+        .note = "bars and springs; without it that of yield_force",
+        .sentence =
+            "Compression at which it gives way (buckles) and shortens without damage; 0 for a tie rod or a cable that goes "
+            "slack. It bears again when it has its length back."},
+    Key{.name = "yield_moment",
+        .type = Type::number,
+        .unit = "N m",
+        .range = positive,
+        .note = "beams; without it elastic",
+        .sentence = "Plastic moment of the section, at which hinges turn at the ends of its elements, whatever its axial force."},
     Key{.name = "stiffness",
         .type = Type::number,
         .unit = "N/m",

@@ -21,6 +21,7 @@ inline constexpr std::array energies = {
     Column{"energy_plastic", "J", "dissipated by plastic flow"},
     Column{"energy_friction", "J", "dissipated by friction of joints"},
     Column{"energy_seepage", "J", "dissipated by the flow of pore water"},
+    Column{"energy_members", "J", "dissipated by members that yield"},
     Column{"energy_residual", "J", "residual of the energy balance"}};
 inline constexpr std::array work = {Column{"energy_work_gravity", "J", "work of gravity"},
                                     Column{"energy_work_loads", "J", "work of loads"},
@@ -48,10 +49,20 @@ inline constexpr std::array member = {Column{"NAME.axial_force_min", "N", "small
                                       Column{"NAME.axial_force_max", "N", "largest along a member; tension is positive"},
                                       Column{"NAME.shear_force_max", "N", "largest along a member"},
                                       Column{"NAME.moment_max", "N m", "largest bending moment along a member"}};
+inline constexpr std::array force_limit = {
+    Column{"NAME.force_ratio", "-", "largest axial force over its limit; of bars and springs with one"},
+    Column{"NAME.plastic_elongation", "m",
+           "of the element with the largest, negative where it is shorter; of bars and springs with a limit"}};
+inline constexpr std::array moment_limit = {
+    Column{"NAME.moment_ratio", "-", "largest bending moment over the yield moment; of beams with one"},
+    Column{"NAME.plastic_rotation", "rad", "largest of a plastic hinge; of beams with a yield moment"}};
 inline constexpr std::array newton = {Column{"newton_iterations", "-", "Newton iterations so far"},
                                       Column{"step_cuts", "-", "steps that were halved"}};
 inline constexpr std::array nodes = {Column{"displacement", "m", "since the beginning"}, Column{"velocity", "m/s", ""},
                                      Column{"acceleration", "m/s2", ""}};
+inline constexpr std::array yielded = {
+    Column{"member_plastic_elongation", "m", "size of that of the bar or spring at a node; only where one has a limit"},
+    Column{"member_plastic_rotation", "rad", "of the plastic hinge at a node; only where a beam has a yield moment"}};
 inline constexpr std::array elements = {
     Column{"normal_stress", "Pa", "xx, yy, zz; tension is positive; in ground with a water table effective stress"},
     Column{"shear_stress", "Pa", "xy in 2-D; xy, yz, zx in 3-D"},
@@ -70,15 +81,19 @@ inline constexpr std::array excess = {
            "excess pore pressure over the vertical effective stress at the beginning, 1 in liquefied ground; with settle"}};
 
 /// In the manifest, `results` by name: an interface, which scripts of users read.
-inline constexpr std::array figures = {Column{"nodes", "-", ""},
-                                       Column{"elements", "-", ""},
-                                       Column{"degrees_of_freedom", "-", "free degrees of freedom"},
-                                       Column{"newton_iterations", "-", "Newton iterations"},
-                                       Column{"step_cuts", "-", "steps that were halved"},
-                                       Column{"peak_force_NAME", "N", "of a boundary on the body, by axis"},
-                                       Column{"peak_excess_pore_pressure", "Pa", "where drainage is undrained or flow"},
-                                       Column{"least_pore_pressure", "Pa", "smallest of any node, with that at rest"},
-                                       Column{"peak_pore_pressure_ratio", "-", "largest of any element in a snapshot"},
-                                       Column{"slip_max_NAME", "m", "of a joint, at the end"}};
+inline constexpr std::array figures = {
+    Column{"nodes", "-", ""},
+    Column{"elements", "-", ""},
+    Column{"degrees_of_freedom", "-", "free degrees of freedom"},
+    Column{"newton_iterations", "-", "Newton iterations"},
+    Column{"step_cuts", "-", "steps that were halved"},
+    Column{"peak_force_NAME", "N", "of a boundary on the body, by axis"},
+    Column{"peak_excess_pore_pressure", "Pa", "where drainage is undrained or flow"},
+    Column{"least_pore_pressure", "Pa", "smallest of any node, with that at rest"},
+    Column{"peak_pore_pressure_ratio", "-", "largest of any element in a snapshot"},
+    Column{"slip_max_NAME", "m", "of a joint, at the end"},
+    Column{"yield_time_NAME", "s", "first time at which a member has yielded; not there before"},
+    Column{"plastic_elongation_NAME", "m", "of a bar or spring with a limit, at the end"},
+    Column{"plastic_rotation_NAME", "rad", "of a beam with a yield moment, at the end"}};
 
 }  // namespace sazare::runs::columns::fem

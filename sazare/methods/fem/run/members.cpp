@@ -59,6 +59,9 @@ std::vector<fem::MemberSet> make_members(const cases::CaseFile& file, const geom
     set.area = share * given.area;
     set.second_moment = share * given.second_moment;
     set.prestress = share * given.prestress;
+    if (given.yield_force) set.yield_force = share * *given.yield_force;
+    if (given.compression_force) set.compression_force = share * *given.compression_force;
+    if (given.yield_moment) set.yield_moment = share * *given.yield_moment;
     set.stiffness = share * given.stiffness;
     set.damping = share * given.damping;
     if (given.on_group())

@@ -31,10 +31,10 @@ FolderTables tables_of_fem() {
           .history = {{"`fem`",
                        {columns::fem::motion, columns::fem::energies, columns::fem::work, columns::fem::boundary,
                         columns::fem::pore_water, columns::fem::moving_water, columns::fem::water, columns::fem::joint_set,
-                        columns::fem::member, columns::fem::newton}}},
+                        columns::fem::member, columns::fem::force_limit, columns::fem::moment_limit, columns::fem::newton}}},
           .gauges = {{"`gauges.csv` of `fem`", {columns::place_motion, columns::fem::gauge_pressure}}},
           .files = {},
-          .snapshots = {{"`finite_elements` of `fem`, points", {columns::fem::nodes}},
+          .snapshots = {{"`finite_elements` of `fem`, points", {columns::fem::nodes, columns::fem::yielded}},
                         {"cells", {columns::fem::elements, columns::fem::soil, columns::fem::pores, columns::fem::excess}}}};
 }
 

@@ -48,6 +48,7 @@ FemRecord<D>::FemRecord(const RunFolder& folder, const cases::CaseFile& file, Fe
       model_(&model),
       clocks_(clocks),
       files_(folder.snapshots(), "finite_elements"),
+      members_(*model.stepper),
       peaks_(model.gauges.size(), 0),
       largest_forces_(model.group_names.size() * D, 0) {
   for (const Index node : model.gauges) gauge_pressure_.push_back(stepper().body().pores().shares_at(node));
@@ -65,6 +66,7 @@ std::array<Real, columns::fem::energies.size()> FemRecord<D>::energies() const {
           work.plastic,
           work.friction,
           work.seepage,
+          work.members,
           stepper().energy_residual()};
 }
 
@@ -80,7 +82,7 @@ std::vector<RecordFiles::Table> FemRecord<D>::tables() const {
   if (!stepper().supports().waters.empty()) observe::add_titles(history, columns::fem::moving_water);
   for (const auto& water : stepper().supports().waters) observe::add_titles(history, columns::fem::water, water.pressure.name, D);
   for (const auto& set : stepper().body().joints().sets()) observe::add_titles(history, columns::fem::joint_set, set.name);
-  for (const auto& set : stepper().body().members().sets()) observe::add_titles(history, columns::fem::member, set.name);
+  members_.add_titles(history);
   observe::add_titles(history, columns::fem::newton);
   observe::add_titles(history, columns::clock);
   observe::add_titles(gauges, columns::time);
@@ -144,11 +146,7 @@ std::vector<Real> FemRecord<D>::history_row(Real time, Real wall_seconds) {
     const auto summary = joints.summary(set, state.displacement, state.memory.joints);
     row.insert(row.end(), {summary.open_fraction, summary.sliding_fraction, summary.largest_slip});
   }
-  const auto& members = stepper().body().members();
-  for (std::size_t set = 0; set < members.sets().size(); ++set) {
-    const auto forces = members.forces(set, state.displacement, state.velocity);
-    row.insert(row.end(), {forces.least_axial, forces.largest_axial, forces.shear, forces.moment});
-  }
+  members_.add_values(row);
   row.insert(row.end(), {static_cast<Real>(state.iterations), static_cast<Real>(state.cuts), wall_seconds});
   return row;
 }
@@ -206,6 +204,7 @@ void FemRecord<D>::add_pressures(std::vector<Real>& total, std::vector<Real>& ex
 
 template <int D>
 void FemRecord<D>::observe(std::int64_t step, Real wall_seconds) {
+  members_.observe(clocks_.time(step));
   if (!clocks_.is_row(step)) return;
   const Real time = clocks_.time(step);
   files_.add_row(0, history_row(time, wall_seconds));
@@ -250,7 +249,8 @@ void FemRecord<D>::write_snapshot(Real time) {
       connectivity.push_back(element.nodes[static_cast<std::size_t>(place)]);
     types.push_back(geometry::facts(element.shape).vtk_type);
   }
-  const auto of_points = observe::cell_data(columns::fem::nodes, moved, velocity, acceleration);
+  auto of_points = observe::cell_data(columns::fem::nodes, moved, velocity, acceleration);
+  std::ranges::copy(members_.fields(), std::back_inserter(of_points));
   auto of_cells = observe::cell_data(columns::fem::elements, normal, shear, pressure, von_mises, slip, region);
   const auto has_backbone = [](const auto& material) { return material.backbone.has_value(); };
   if (std::ranges::any_of(stepper().body().description().materials, has_backbone))
@@ -311,6 +311,7 @@ std::vector<std::pair<std::string, observe::Figure>> FemRecord<D>::results(std::
   for (std::size_t set = 0; set < joints.sets().size(); ++set)
     results.emplace_back(fmt::format("slip_max_{}", joints.sets()[set].name),
                          joints.summary(set, state.displacement, state.memory.joints).largest_slip);
+  members_.add_results(results);
   return results;
 }
 
@@ -327,12 +328,14 @@ std::uint64_t FemRecord<D>::state_hash() const {
   const auto& state = stepper().state();
   for (const auto* column : {&state.displacement, &state.velocity, &state.memory.solids, &state.memory.joints})
     hash.add(std::as_bytes(std::span(*column)));
+  if (!state.memory.members.empty()) hash.add(std::as_bytes(std::span(state.memory.members)));
   return hash.value();
 }
 
 template <int D>
 void FemRecord<D>::columns(Archive& archive) {
   files_.columns(archive);
+  members_.columns(archive);
   archive("displacement", displacement_);
   archive("largest_displacement", largest_displacement_);
   archive("largest_speed", largest_speed_);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "sazare/methods/fem/run/columns.hpp"
+#include "sazare/methods/fem/run/member_record.hpp"
 #include "sazare/methods/fem/run/model.hpp"
 #include "sazare/observe/manifest.hpp"
 #include "sazare/runs/record_columns.hpp"
@@ -54,6 +55,7 @@ private:
   FemModel<D>* model_;
   RunClocks clocks_;
   RecordFiles files_;
+  MemberRecord<D> members_;
   std::vector<Real> peaks_;           ///< largest speed by gauge [m/s]
   std::vector<Real> largest_forces_;  ///< by boundary and axis [N]
   std::vector<std::vector<std::pair<Index, Real>>> gauge_pressure_;  ///< by gauge: shares of pressure nodes
