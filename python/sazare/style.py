@@ -39,7 +39,7 @@ STRESS = "RdBu_r"
 
 # Energies: what is stored in cold colours, what is dissipated in warm ones.
 KINETIC, ELASTIC, DASHPOT, SLIP, RUPTURE, RELEASE = "#35618f", "#6fa3c7", "#c9a66b", "#a8763e", "#b5472f", "#e08a76"
-CONTACT_DASHPOT, FRICTION, OUTSIDE, SEEPAGE = "#9aa87c", "#5f7a4a", "#8d8d9e", "#c3b7d9"
+CONTACT_DASHPOT, FRICTION, OUTSIDE, SEEPAGE, YIELDED = "#9aa87c", "#5f7a4a", "#8d8d9e", "#c3b7d9", "#7d5a6b"
 
 # Fonts for Japanese words where the package that brings one is missing, by the systems that have them.
 JAPANESE_FONTS = ("IPAexGothic", "IPAGothic", "Noto Sans CJK JP", "Noto Sans JP", "Hiragino Sans", "Yu Gothic", "MS Gothic")

@@ -311,8 +311,8 @@ class Member(Part):
     to: tuple[float, float, float] | None = None
     """The other end. [m] (either group, or from and to)"""
     spacing: float | None = None
-    """Distance of such members across the plane: section, mass, prestress, stiffness and damping of each are divided by it, and
-    forces in results are per metre. [m] (2-D only) Default: 1.0. Greater than 0.
+    """Distance of such members across the plane: section, mass, prestress, limits, stiffness and damping of each are divided by
+    it, and forces in results are per metre. [m] (2-D only) Default: 1.0. Greater than 0.
     """
     youngs_modulus: float | None = None
     """Young's modulus. [Pa] (required for beams and bars) Greater than 0."""
@@ -330,6 +330,18 @@ class Member(Part):
     """
     prestress: float | None = None
     """Tension of a bar before the body gives way to it; settle includes it. [N] (bars only) Default: 0.0."""
+    yield_force: float | None = None
+    """Axial force at which it yields, perfectly plastic, in tension and in compression. [N] (bars and springs; without it
+    elastic) Greater than 0.
+    """
+    compression_force: float | None = None
+    """Compression at which it gives way (buckles) and shortens without damage; 0 for a tie rod or a cable that goes slack. It
+    bears again when it has its length back. [N] (bars and springs; without it that of yield_force) At least 0.
+    """
+    yield_moment: float | None = None
+    """Plastic moment of the section, at which hinges turn at the ends of its elements, whatever its axial force. [N m] (beams;
+    without it elastic) Greater than 0.
+    """
     stiffness: float | None = None
     """Force per elongation. [N/m] (required for springs) Greater than 0."""
     damping: float | None = None

@@ -15,6 +15,7 @@ ENERGIES = {
     "energy_friction": ("joint friction", style.FRICTION),
     "energy_seepage": ("flow of pore water", style.SEEPAGE),
     "energy_plastic": ("plastic flow", style.RUPTURE),
+    "energy_members": ("members that yield", style.YIELDED),
     "energy_damping": ("Rayleigh damping", style.DASHPOT),
     "energy_radiation": ("radiation at boundaries", style.OUTSIDE),
 }
@@ -179,10 +180,11 @@ def members(results):
         return None
     names = found[:MOST_JOINTS]
     bent = [name for name in names if np.any(history[f"{name}.moment_max"] != 0.0)]
+    limited = [name for name in names if _limit_ratio(history, name) is not None]
     time, time_label = plot.time_axis(history)
-    figure = style.figure(9.0, 3.4)
+    figure = style.figure(9.0 if not (bent and limited) else 12.0, 3.4)
     style.tell_left_out(figure, found, MOST_JOINTS, "history.csv")
-    panels = figure.subplots(1, 2 if bent else 1, squeeze=False)[0]
+    panels = figure.subplots(1, 1 + bool(bent) + bool(limited), squeeze=False)[0]
     factor, prefix = style.prefix_of(*(history[f"{name}.axial_force_{end}"] for name in names for end in ("min", "max")))
     for name in names:
         line, = panels[0].plot(time, history[f"{name}.axial_force_max"] / factor, linewidth=1.0, label=name)
@@ -195,9 +197,43 @@ def members(results):
             color = next(line.get_color() for line in panels[0].lines if line.get_label() == name)
             panels[1].plot(time, history[f"{name}.moment_max"] / factor, linewidth=1.0, color=color)
         panels[1].set_ylabel(f"largest bending moment [{prefix}N m]")
+    for name in limited:
+        color = next(line.get_color() for line in panels[0].lines if line.get_label() == name)
+        panels[-1].plot(time, _limit_ratio(history, name), linewidth=1.0, color=color)
+    if limited:
+        panels[-1].axhline(1.0, color=style.INK, linewidth=0.8, linestyle=":")
+        panels[-1].set_ylim(bottom=0.0)
+        panels[-1].set_ylabel("force or moment over its limit [-]")
     for axes in panels:
         axes.set_xlabel(time_label)
         axes.margins(x=0)
+    return figure
+
+
+def _limit_ratio(history, name):
+    """Largest force or moment of a member over its limit [-] against time; None where it has none."""
+    return next((history[column] for column in (f"{name}.force_ratio", f"{name}.moment_ratio") if column in history), None)
+
+
+@style.styled
+def plastic_members(results):
+    """Plastic elongation of bars and springs [m] and plastic rotation of beams [rad], each the largest along a member, against time; None where nothing has yielded."""
+    history = results.history
+    shown = [name for name in history if name.endswith((".plastic_elongation", ".plastic_rotation")) and np.any(history[name] != 0.0)]
+    if not shown or history.rows < 2:
+        return None
+    time, time_label = plot.time_axis(history)
+    kinds = [kind for kind in ("plastic_elongation", "plastic_rotation") if any(name.endswith(kind) for name in shown)]
+    figure = style.figure(4.5 * len(kinds), 3.4)
+    for axes, kind in zip(figure.subplots(1, len(kinds), squeeze=False)[0], kinds, strict=True):
+        names = [name for name in shown if name.endswith(kind)][:MOST_JOINTS]
+        factor, prefix = style.prefix_of(*(history[name] for name in names))
+        for name in names:
+            axes.plot(time, history[name] / factor, linewidth=1.0, label=name.removesuffix(f".{kind}"))
+        axes.set_ylabel(f"{kind.replace('_', ' ')} [{prefix}{'m' if kind == 'plastic_elongation' else 'rad'}]")
+        axes.set_xlabel(time_label)
+        axes.margins(x=0)
+        axes.legend()
     return figure
 
 
@@ -317,7 +353,7 @@ def sections(results):
             partial(displacements, results), common.NO_GAUGES, wide=False,
         ),
         *([_joint_section(results)] if has_joints else []),
-        *([_member_section(results)] if has_members else []),
+        *(_member_sections(results) if has_members else []),
         *(_pore_sections(results) if has_excess else []),
         *([] if static else common.shaking_sections(results)),
         common.energy_section(results, ENERGIES, "the external work"),
@@ -329,11 +365,17 @@ def _joint_section(results):
     return Section("joints", "Joints", "Share of the joint area that slips or is open, and maximum slip.", partial(joints, results), "")
 
 
-def _member_section(results):
-    return Section(
-        "members", "Members", "Axial force along each member, its largest (full line) and smallest (dotted), and the largest bending moment.",
-        partial(members, results), "",
+def _member_sections(results):
+    limited = any(name.endswith((".force_ratio", ".moment_ratio")) for name in results.history)
+    words = "Axial force along each member, its largest (full line) and smallest (dotted), and the largest bending moment."
+    yielded = Section(
+        "plastic_members", "Yielding of members", "Plastic elongation and plastic rotation, each the largest along a member.",
+        partial(plastic_members, results), "No member has yielded.", wide=False,
     )
+    return [
+        Section("members", "Members", words + (" Where they have limits, how much of them they bear." if limited else ""), partial(members, results), ""),
+        *([yielded] if limited else []),
+    ]
 
 
 def verdict(results):

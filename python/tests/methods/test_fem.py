@@ -119,3 +119,21 @@ def test_members_are_drawn_with_their_moments():
     assert [line.get_ydata()[-1] for line in left.lines] == pytest.approx([50.0, -100.0] * 2)
     assert [line.get_ydata()[-1] for line in right.lines] == pytest.approx([200.0])
     assert right.lines[0].get_color() == left.lines[0].get_color()
+
+
+def test_members_that_yield_are_drawn_with_what_they_bear_of_their_limits():
+    columns = {"time": [0.0, 1.0, 2.0]}
+    for name, moment in (("wall", 2e5), ("rod", 0.0), ("strut", 0.0)):
+        columns |= {f"{name}.axial_force_min": [0.0, 0.0, 0.0], f"{name}.axial_force_max": [0.0, 5e4, 5e4], f"{name}.moment_max": [0.0, moment, moment]}
+    history = Table({name: np.array(values) for name, values in columns.items()})
+    assert fem.plastic_members(SimpleNamespace(history=history)) is None
+    columns |= {"wall.moment_ratio": [0.0, 0.8, 0.7], "wall.plastic_rotation": [0.0, 0.0, 0.0]}
+    columns |= {"rod.force_ratio": [0.0, 1.0, 1.0], "rod.plastic_elongation": [0.0, 0.0, 3e-3]}
+    results = SimpleNamespace(history=Table({name: np.array(values) for name, values in columns.items()}))
+    forces, moments, limits = fem.members(results).axes
+    assert [line.get_ydata()[-1] for line in limits.lines] == pytest.approx([0.7, 1.0, 1.0])  # the last is the limit
+    assert limits.lines[0].get_color() == moments.lines[0].get_color()
+    (axes,) = fem.plastic_members(results).axes
+    assert [line.get_label() for line in axes.lines] == ["rod"]
+    assert axes.lines[0].get_ydata()[-1] == pytest.approx(3.0)
+    assert axes.get_ylabel() == "plastic elongation [mm]"
