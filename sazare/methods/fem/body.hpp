@@ -5,7 +5,7 @@
 #include "sazare/laws/rayleigh_damping.hpp"
 #include "sazare/methods/fem/joint_pores.hpp"
 #include "sazare/methods/fem/joints.hpp"
-#include "sazare/methods/fem/members.hpp"
+#include "sazare/methods/fem/members/members.hpp"
 #include "sazare/methods/fem/pores.hpp"
 #include "sazare/methods/fem/solids.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "sazare/laws/axial_limits.hpp"
+#include "sazare/laws/members/axial_limits.hpp"
 
 namespace sazare::laws {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "sazare/laws/end_hinges.hpp"
+#include "sazare/laws/members/end_hinges.hpp"
 
 namespace sazare::laws {
 namespace {

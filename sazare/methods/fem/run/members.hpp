@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sazare/methods/fem/members.hpp"
+#include "sazare/methods/fem/members/members.hpp"
 #include "sazare/methods/fem/run/mesh_names.hpp"
 
 namespace sazare::runs {

@@ -12,9 +12,9 @@
 /// z in space. Beams that meet at a node are clamped to each other; the ground at a node does not turn it. Przemieniecki, Theory
 /// of Matrix Structural Analysis (1968), sections 5.6 and 11.
 ///
-/// Bars and springs may have limits of their force (laws/axial_limits.hpp), beams plastic hinges at their ends
-/// (laws/end_hinges.hpp). Where two beams in line meet, or in the plane any two, only the weaker has a hinge, or the first of
-/// equal ones: the moments of both are one, and hinges on both sides would leave the node between them free to turn.
+/// Bars and springs may have limits of their force (laws/members/axial_limits.hpp), beams plastic hinges at their ends
+/// (laws/members/end_hinges.hpp). Where two beams in line meet, or in the plane any two, only the weaker has a hinge, or the
+/// first of equal ones: the moments of both are one, and hinges on both sides would leave the node between them free to turn.
 
 #include <array>
 #include <limits>
@@ -22,8 +22,8 @@
 #include <string>
 
 #include "sazare/geometry/element_mesh.hpp"
-#include "sazare/laws/axial_limits.hpp"
-#include "sazare/laws/end_hinges.hpp"
+#include "sazare/laws/members/axial_limits.hpp"
+#include "sazare/laws/members/end_hinges.hpp"
 #include "sazare/methods/fem/solids.hpp"
 
 namespace sazare::methods::fem {
@@ -34,14 +34,14 @@ enum class MemberKind { beam, bar, spring, dashpot };
 struct MemberSet {
   std::string name;
   MemberKind kind = MemberKind::beam;
-  Real youngs_modulus = 0;  ///< of beams and bars [Pa]
-  Real area = 0;            ///< [m2]
-  Real second_moment = 0;   ///< of beams [m4]
-  Real density = 0;         ///< [kg/m3]
-  Real damping_ratio = 0;   ///< of Rayleigh damping [-]
-  Real prestress = 0;       ///< tension of a bar at the beginning [N]
-  Real stiffness = 0;       ///< of a spring along its line [N/m]
-  Real damping = 0;         ///< of a dashpot along its line [N s/m]
+  Real youngs_modulus = 0;                                    ///< of beams and bars [Pa]
+  Real area = 0;                                              ///< [m2]
+  Real second_moment = 0;                                     ///< of beams [m4]
+  Real density = 0;                                           ///< [kg/m3]
+  Real damping_ratio = 0;                                     ///< of Rayleigh damping [-]
+  Real prestress = 0;                                         ///< tension of a bar at the beginning [N]
+  Real stiffness = 0;                                         ///< of a spring along its line [N/m]
+  Real damping = 0;                                           ///< of a dashpot along its line [N s/m]
   Real yield_force = std::numeric_limits<Real>::infinity();   ///< of a bar or spring [N]
   std::optional<Real> compression_force{};                    ///< at which it gives way and forgets it [N]
   Real yield_moment = std::numeric_limits<Real>::infinity();  ///< of a beam [N m]
@@ -160,7 +160,7 @@ private:
   std::vector<MemberSet> sets_;
   Index first_rotation_;
   std::vector<Element> elements_;
-  std::vector<Index> node_;  ///< by rotation, in ascending order
+  std::vector<Index> node_;            ///< by rotation, in ascending order
   std::vector<std::size_t> yielding_;  ///< elements
   std::size_t memory_size_ = 0;
 };

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "sazare/methods/fem/members.hpp"
+#include "sazare/methods/fem/members/members.hpp"
 #include "sazare/methods/fem/nodal_algebra.hpp"
 
 namespace sazare::methods::fem {

@@ -1,4 +1,4 @@
-#include "sazare/methods/fem/members.hpp"
+#include "sazare/methods/fem/members/members.hpp"
 
 #include <fmt/format.h>
 
