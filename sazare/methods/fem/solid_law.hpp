@@ -10,7 +10,7 @@
 #include "sazare/laws/cyclic_contraction.hpp"
 #include "sazare/laws/overlay_plasticity.hpp"
 #include "sazare/laws/principal_return.hpp"
-#include "sazare/laws/water_pressure.hpp"
+#include "sazare/laws/water/water_pressure.hpp"
 #include "sazare/methods/fem/voigt.hpp"
 
 #include <Eigen/Eigenvalues>

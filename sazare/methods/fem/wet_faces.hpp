@@ -2,7 +2,7 @@
 
 /// Integrals over the part of a face that is under water.
 
-#include "sazare/laws/water_pressure.hpp"
+#include "sazare/laws/water/water_pressure.hpp"
 #include "sazare/methods/fem/boundary_faces.hpp"
 #include "sazare/methods/fem/solids.hpp"
 
