@@ -144,13 +144,16 @@ struct Sledge {
   std::unique_ptr<particles::UniformStepper<2>> stepper;
 };
 
+/// After the bounces with which it begins.
 TEST(ground_on_a_surface, slides_down_an_incline_as_coulomb_says) {
   constexpr Real angle = 30 * std::numbers::pi / 180, gravity = 9.81, friction = 0.3, seconds = 0.5;
   Sledge sledge(incline(angle), angle, {2e-4, 0.3, friction}, {0, -gravity});
   sledge.stepper->start();
   while (sledge.stepper->time() < seconds) sledge.stepper->advance();
+  const Real before = sledge.mean_velocity().norm();
+  while (sledge.stepper->time() < 2 * seconds) sledge.stepper->advance();
   const Real expected = gravity * (std::sin(angle) - friction * std::cos(angle)) * seconds;
-  EXPECT_NEAR(sledge.mean_velocity().norm(), expected, 0.01 * expected);
+  EXPECT_NEAR(sledge.mean_velocity().norm() - before, expected, 0.005 * expected);
 }
 
 TEST(ground_on_a_surface, rests_where_friction_holds_it) {

@@ -9,6 +9,7 @@ import sazare
 
 HERE = Path(__file__).resolve().parent
 AMPLITUDE, FREQUENCY, BASE_PEAK = 0.01, 20.0, 0.05  # m/s, Hz, s
+THRUST = 57552.0  # N, at rest
 GRAVITY = np.array([0.0, -9.81, 0.0])
 
 
@@ -20,6 +21,13 @@ def thrust(place):
     history = run("thrust", place / "thrust").history
     print(f"thrust,{history['surface.force_x'][-1]:.6g}")
     print(f"thrust-level,{abs(history['surface.force_y'][-1] / history['surface.force_x'][-1]):.3g}")
+
+
+def soft(place):
+    """The thrust on a wall that yields, and how it changes from the common equilibrium on."""
+    force = run("soft", place / "soft").history["surface.force_x"]
+    print(f"soft-thrust,{force[0] / THRUST:.6g}")
+    print(f"soft-rest,{np.abs(force - force[0]).max() / force[0]:.3g}")
 
 
 def ricker(time):
@@ -59,5 +67,5 @@ def collapse(place):
 
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as folder:
-        for part in (thrust, wave, collapse):
+        for part in (thrust, soft, wave, collapse):
             part(Path(folder))

@@ -7,7 +7,6 @@
 #include "sazare/methods/hybrid/run/model.hpp"
 #include "sazare/methods/mps/case/format.hpp"
 #include "sazare/methods/mps/run/run.hpp"
-#include "sazare/methods/mps/run/settle.hpp"
 #include "sazare/methods/rectangles/case/format.hpp"
 #include "sazare/methods/rectangles/run/run.hpp"
 #include "sazare/methods/spheres/case/format.hpp"
@@ -69,8 +68,8 @@ CoupledGround<D>::CoupledGround(const BodiesSetting& setting)
       side(*model.stepper, *model.at_surface, setting.can_return) {}
 
 template <int D>
-bool CoupledGround<D>::prepare(const RunOptions& options) {
-  return settle<D>(file.as<cases::MpsCase>(), model, options);
+bool CoupledGround<D>::prepare(const RunOptions& options, Rest rest) {
+  return settle<D>(file.as<cases::MpsCase>(), model, options, rest);
 }
 
 template <int D>

@@ -29,6 +29,7 @@
 #include "sazare/methods/hybrid/sphere_side.hpp"
 #include "sazare/methods/mps/run/identity.hpp"
 #include "sazare/methods/mps/run/record.hpp"
+#include "sazare/methods/mps/run/settle.hpp"
 #include "sazare/methods/rectangles/run/identity.hpp"
 #include "sazare/methods/rectangles/run/record.hpp"
 #include "sazare/methods/spheres/run/identity.hpp"
@@ -143,7 +144,7 @@ struct CoupledGround {
   bool settles() const { return file.as<cases::MpsCase>().gravity.settle; }
   std::int64_t count() const { return static_cast<std::int64_t>(model.filling.sites.size()); }
   Real step() const { return model.step; }
-  bool prepare(const RunOptions& options);
+  bool prepare(const RunOptions& options, Rest rest = Rest::fully);
   const std::string& warning() const { return model.warning; }
   RunIdentity identity() const;
   const std::string& title() const { return file.as<cases::MpsCase>().title; }

@@ -137,14 +137,14 @@ struct HybridWork final : WorkDefaults {
   /// the last two turns (Aitken's relaxation), so that a surface which yields is approached from one side. False when asked to
   /// stop.
   bool settle_together(const methods::hybrid::ContinuumState<D>& unloaded) {
-    constexpr Real first_share = 0.1, least_share = 0.02, tolerance = 1e-4;
+    constexpr Real first_share = 0.1, least_share = 0.02, tolerance = 1e-3;
     constexpr int most_turns = 60;
     Eigen::VectorXd force = Eigen::VectorXd::Zero(vector_of(model.bodies.side.force().last).size()), lack_before;
     Real share = first_share;
     for (int turn = 0; turn < most_turns; ++turn) {
       const std::vector<Real> found = model.bodies.side.force().last;
       const Eigen::VectorXd lack = vector_of(found) - force;
-      if (lack.norm() <= tolerance * vector_of(found).norm()) return true;
+      if (lack.norm() <= tolerance * vector_of(found).norm()) return model.bodies.prepare(options);
       if (turn > 0) {
         const Eigen::VectorXd change = lack - lack_before;
         share = std::clamp(-share * lack_before.dot(change) / change.squaredNorm(), least_share, Real{1});
@@ -154,7 +154,7 @@ struct HybridWork final : WorkDefaults {
       model.continuum.stepper->restore(unloaded);
       model.continuum.stepper->relax(model.continuum_side.on_nodes({force.begin(), force.end()}));
       model.bodies.side.move_to(model.continuum_side.shape());
-      if (!model.bodies.prepare(options)) return false;
+      if (!model.bodies.prepare(options, Rest::nearly)) return false;
     }
     throw PhysicsError(fmt::format(
         "no equilibrium of both sides: after {} turns the forces on the surface still differ by more than {} of them\n"

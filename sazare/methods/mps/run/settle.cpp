@@ -18,6 +18,7 @@ namespace {
 constexpr std::int64_t check_steps = 50;
 constexpr Real relaxed_share = 1e-5;   // of gravity
 constexpr Real creeping_share = 1e-4;  // of gravity: ground close to its strength creeps for long, and does not slide
+constexpr Real rattling_share = 3e-4;  // of gravity: on a surface particles come and go between two steps for long
 
 using cases::short_number;
 
@@ -69,7 +70,7 @@ bool settle_columns(const cases::MpsCase& mps, MpsModel<D>& model, Real toleranc
     const auto goes_on = [&](std::int64_t, Real) { return !is_stopped(options); };
     const Real left = model.free_field->relax(i, {tolerance, mps.gravity.max_settling_steps, goes_on});
     if (is_stopped(options)) return false;
-    if (!(left <= creeping_share / relaxed_share * tolerance))
+    if (!(left <= std::max(tolerance, creeping_share * mps.gravity.acceleration.norm())))
       throw PhysicsError(
           fmt::format("no equilibrium under gravity of the column beside free-field side {}: {}\n"
                       "  its layers do not carry their own weight: check their strength and the boundary below them",
@@ -81,9 +82,11 @@ bool settle_columns(const cases::MpsCase& mps, MpsModel<D>& model, Real toleranc
 }  // namespace
 
 template <int D>
-bool settle(const cases::MpsCase& mps, MpsModel<D>& model, const RunOptions& options) {
+bool settle(const cases::MpsCase& mps, MpsModel<D>& model, const RunOptions& options, Rest rest) {
   if (!mps.gravity.settle) return true;
-  const Real tolerance = relaxed_share * mps.gravity.acceleration.norm();
+  const Real gravity = mps.gravity.acceleration.norm();
+  const Real tolerance = (rest == Rest::nearly ? rattling_share : relaxed_share) * gravity,
+             accepted = (model.at_surface != nullptr ? rattling_share : creeping_share) * gravity;
   const auto particles = static_cast<std::int64_t>(model.filling.sites.size());
   if (!options.quiet) fmt::print("finding the equilibrium under gravity\n");
   std::fflush(stdout);
@@ -113,7 +116,7 @@ bool settle(const cases::MpsCase& mps, MpsModel<D>& model, const RunOptions& opt
         place_words<D>(model, *slides)));
   if (left <= tolerance) return true;
   const std::string after = words_of_rest(mps.gravity.max_settling_steps, left, tolerance);
-  if (left <= creeping_share / relaxed_share * tolerance) {
+  if (left <= accepted) {
     if (!options.quiet) fmt::print("the equilibrium under gravity is all but reached: {}\n", after);
     return true;
   }
@@ -123,7 +126,7 @@ bool settle(const cases::MpsCase& mps, MpsModel<D>& model, const RunOptions& opt
                   after));
 }
 
-template bool settle<2>(const cases::MpsCase&, MpsModel<2>&, const RunOptions&);
-template bool settle<3>(const cases::MpsCase&, MpsModel<3>&, const RunOptions&);
+template bool settle<2>(const cases::MpsCase&, MpsModel<2>&, const RunOptions&, Rest);
+template bool settle<3>(const cases::MpsCase&, MpsModel<3>&, const RunOptions&, Rest);
 
 }  // namespace sazare::runs

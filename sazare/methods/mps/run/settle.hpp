@@ -7,12 +7,15 @@
 
 namespace sazare::runs {
 
+/// How near to rest: nearly while a surface still moves, in turns with what carries it.
+enum class Rest { nearly, fully };
+
 /// Finds it where the case asks for it; a surface that the ground meets stands still meanwhile. False when asked to stop before
 /// it is reached. Throws PhysicsError where the ground slides, or does not come to rest.
 template <int D>
-bool settle(const cases::MpsCase& mps, MpsModel<D>& model, const RunOptions& options);
+bool settle(const cases::MpsCase& mps, MpsModel<D>& model, const RunOptions& options, Rest rest = Rest::fully);
 
-extern template bool settle<2>(const cases::MpsCase&, MpsModel<2>&, const RunOptions&);
-extern template bool settle<3>(const cases::MpsCase&, MpsModel<3>&, const RunOptions&);
+extern template bool settle<2>(const cases::MpsCase&, MpsModel<2>&, const RunOptions&, Rest);
+extern template bool settle<3>(const cases::MpsCase&, MpsModel<3>&, const RunOptions&, Rest);
 
 }  // namespace sazare::runs
