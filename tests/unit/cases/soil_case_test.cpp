@@ -2,7 +2,6 @@
 
 #include "case_folder.hpp"
 #include "sazare/methods/fem/case/format.hpp"
-#include "sazare/methods/fem/case/soil.hpp"
 
 namespace sazare::cases {
 namespace {
@@ -35,7 +34,8 @@ constexpr const char* table =
     "shear_strain [%],modulus_ratio [-],damping_ratio [%]\n0.001,1,1\n0.01,0.9,2\n0.1,0.5,10\n1,0.1,20\n";
 
 laws::BackboneCurve curve_of(const CaseFolder& folder, const std::string& keys) {
-  return backbone_of(folder.read(soil_case(keys)).as<FemCase>().materials[0]);
+  const FemMaterial material = folder.read(soil_case(keys)).as<FemCase>().materials[0];
+  return backbone_of(material, material.shear_modulus());
 }
 
 TEST(SoilCase, HasTheCurveOfItsKeys) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sazare/cases/soil/backbone.hpp"
 #include "sazare/cases/tables.hpp"
 
 /// A checked case of method fem, as plain data. All values in SI units; every member is one key of the case file.
@@ -11,7 +12,6 @@ enum class GroupKind { fixed, roller, prescribed, viscous, free_field };
 enum class Analysis { dynamic, statics };
 enum class Drainage { drained, undrained, flow };
 enum class AddedMass { none, westergaard };
-enum class BackboneKind { hyperbolic, ramberg_osgood, table };
 
 struct FemMesh : Mesh {
   int dimension = 2;
@@ -22,14 +22,7 @@ struct FemElements {
   IntegrationKind integration = IntegrationKind::full;
 };
 
-/// Rows of a table of G/G0 over shear strain.
-struct ModulusReduction {
-  std::vector<Real> strain;   // of shear, as a plain number
-  std::vector<Real> ratio;    // G/G0
-  std::vector<Real> damping;  // damping ratio as a plain number, or empty: only to compare with
-};
-
-struct FemMaterial {
+struct FemMaterial : SoilBackbone {
   std::string name;
   std::vector<std::string> regions;
   Real density = 0;         // kg/m3
@@ -44,13 +37,6 @@ struct FemMaterial {
   std::optional<Real> blow_count;        // (N1)60; with it or a rate cycles of shear take volume
   std::optional<Real> contraction_rate;  // C1
   Real contraction_threshold = 0;        // of the amplitude of shear strain
-  bool degrades = false;                 // whether its stiffness falls with the shear strain
-  BackboneKind backbone = BackboneKind::hyperbolic;
-  std::optional<Real> reference_strain;  // of shear, where G/G0 = 0.5
-  std::optional<Real> shear_strength;    // Pa
-  Real ramberg_osgood_exponent = 0;
-  std::filesystem::path modulus_reduction;  // of a table
-  int yield_surfaces = 0;
   std::optional<Real> water_table;  // m; without it the ground has no pore water
   Real saturated_density = 0;       // kg/m3, of the ground below
   Real pore_water_density = 0;      // kg/m3
@@ -58,7 +44,6 @@ struct FemMaterial {
   Real porosity = 0;
   Real water_bulk_modulus = 0;      // Pa
   Real hydraulic_conductivity = 0;  // m/s, of drainage "flow"
-  ModulusReduction reduction;  // what the file holds
 
   bool contracts() const { return blow_count || contraction_rate; }
   Real shear_modulus() const { return youngs_modulus / (2 * (1 + poisson_ratio)); }  // Pa

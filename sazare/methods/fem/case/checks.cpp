@@ -4,6 +4,7 @@
 #include <map>
 
 #include "sazare/cases/format/number_text.hpp"
+#include "sazare/cases/soil/checks.hpp"
 #include "sazare/methods/fem/case/fields.hpp"
 #include "sazare/methods/fem/case/format.hpp"
 
@@ -26,7 +27,8 @@ void check_materials(const CheckContext& context, FemCase& fem) {
       if (const Place place = list[i].place("regions", k); !seen.try_emplace(material.regions[k], place).second)
         context.problems.error(place, fmt::format("region \"{}\" has two materials", material.regions[k]),
                                "name each region once");
-    check_soil(context, list[i], material);
+    const bool has_modulus = list[i].gives("youngs_modulus") && list[i].gives("poisson_ratio");
+    check_soil(context, list[i], {material.shear_modulus(), has_modulus, material.yields}, material);
     check_pore_water(context, fem, list[i], material);
     if (!material.yields) {
       check_keys(

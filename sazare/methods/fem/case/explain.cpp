@@ -3,9 +3,9 @@
 
 #include "sazare/cases/clocks.hpp"
 #include "sazare/cases/explanation.hpp"
+#include "sazare/methods/fem/case/contraction.hpp"
 #include "sazare/methods/fem/case/fields.hpp"
 #include "sazare/methods/fem/case/format.hpp"
-#include "sazare/methods/fem/case/soil.hpp"
 
 namespace sazare::cases {
 namespace {
@@ -50,7 +50,7 @@ std::string material_text(const FemMaterial& material) {
     text += fmt::format("\n  {:<12}  below {} m saturated: {} kg/m3, with water of {} kg/m3", "", number(*material.water_table),
                         number(material.saturated_density), number(material.pore_water_density));
   if (material.water_table) text += drainage_text(material);
-  if (material.degrades) text += soil_text(material);
+  if (material.degrades) text += soil_text(material, material.shear_modulus());
   return text;
 }
 

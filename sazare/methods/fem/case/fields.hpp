@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sazare/cases/fields.hpp"
+#include "sazare/cases/soil/fields.hpp"
 #include "sazare/methods/fem/case/case.hpp"
 
 /// Which member of a case of method fem belongs to which key (see fields.hpp).
@@ -38,11 +39,6 @@ struct EnumWords<Drainage> {
   static constexpr std::array<std::string_view, 3> words{"drained", "undrained", "flow"};
 };
 
-template <>
-struct EnumWords<BackboneKind> {
-  static constexpr std::array<std::string_view, 3> words{"hyperbolic", "ramberg_osgood", "table"};
-};
-
 template <class Visitor>
 void visit_fields(Visitor& visit, FemMesh& mesh) {
   visit_fields(visit, static_cast<Mesh&>(mesh));
@@ -53,21 +49,6 @@ template <class Visitor>
 void visit_fields(Visitor& visit, FemElements& elements) {
   visit("mass", elements.mass);
   visit("integration", elements.integration);
-}
-
-template <class Visitor>
-void visit_backbone(Visitor& visit, FemMaterial& material) {
-  material.degrades = visit.has("backbone", material.degrades);
-  if (!material.degrades) return;
-  visit("backbone", material.backbone);
-  visit("shear_strength", material.shear_strength);
-  if (material.backbone == BackboneKind::table) {
-    visit("modulus_reduction", material.modulus_reduction);
-    return;
-  }
-  visit("reference_strain", material.reference_strain);
-  if (material.backbone == BackboneKind::ramberg_osgood) visit("ramberg_osgood_exponent", material.ramberg_osgood_exponent);
-  visit("yield_surfaces", material.yield_surfaces);
 }
 
 template <class Visitor>

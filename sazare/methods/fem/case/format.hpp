@@ -15,9 +15,6 @@ CaseFormat fem_format();
 /// All checks of a case after types and ranges; reads the files that it names.
 void check_fem(const CheckContext& context, FemCase& fem);
 
-/// Checks of materials that degrade with strain; reads their tables.
-void check_soil(const CheckContext& context, const Entry& entry, FemMaterial& material);
-
 /// Checks of sand that contracts under cycles of shear.
 void check_contraction(const CheckContext& context, const FemCase& fem, const Entry& entry, const FemMaterial& material);
 

@@ -4,17 +4,18 @@
 
 #include "sazare/cases/case_keys.hpp"
 #include "sazare/cases/format/usual_values.hpp"
+#include "sazare/cases/law_keys.hpp"
+#include "sazare/cases/soil/keys.hpp"
 
 /// Keys of the materials of method fem.
 namespace sazare::cases {
 
-inline constexpr std::array<std::string_view, 3> backbones{"hyperbolic", "ramberg_osgood", "table"};
 inline constexpr std::array<std::string_view, 3> drainages{"drained", "undrained", "flow"};
 
 inline constexpr std::string_view with_strength = "only with a cohesion";
 inline constexpr UsualRange water_density{990, 1050};  // [kg/m3]
 
-inline constexpr std::array material_keys{
+inline constexpr std::array own_material_keys{
     Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name of the material in messages."},
     Key{.name = "regions",
         .type = Type::names,
@@ -144,47 +145,8 @@ inline constexpr std::array material_keys{
         .default_text = "1e-4",
         .note = "only with blow_count or contraction_rate",
         .sentence = "Amplitude of shear strain up to which a half cycle takes no volume."},
-    Key{.name = "backbone",
-        .type = Type::choice,
-        .note = "default: the stiffness does not depend on the strain; not with a cohesion",
-        .sentence =
-            "Soil that degrades with shear strain and dissipates by Masing's rules: stress of a first loading in shear, a "
-            "hyperbola, the curve of Ramberg and Osgood, or a table of G/G0. G0 follows from Young's modulus and Poisson's "
-            "ratio.",
-        .choices = backbones},
-    Key{.name = "reference_strain",
-        .type = Type::number,
-        .range = {.low = 0, .high = 1, .low_open = true},
-        .usual = usual::reference_strain,
-        .note = "hyperbolic and ramberg_osgood; default of hyperbolic: shear_strength/G0",
-        .sentence = "Shear strain at which G/G0 = 0.5."},
-    Key{.name = "shear_strength",
-        .type = Type::number,
-        .unit = "Pa",
-        .range = positive,
-        .usual = usual::strength,
-        .note =
-            "with a backbone; required for ramberg_osgood; default of hyperbolic: G0 reference_strain, of a table: the stress of "
-            "its last row",
-        .sentence = "Shear strength, at which the backbone ends."},
-    Key{.name = "ramberg_osgood_exponent",
-        .type = Type::number,
-        .range = {.low = 1, .high = 20, .low_open = true},
-        .note = "required for ramberg_osgood",
-        .sentence = "Exponent r of strain = stress/G0 (1 + (2 stress/(G0 reference_strain))^(r - 1))."},
-    Key{.name = "modulus_reduction",
-        .type = Type::file,
-        .note = "required for a table",
-        .sentence =
-            "CSV with the header \"shear_strain [-],modulus_ratio [-]\", strains in - or %: G/G0 falls from 1. A third column "
-            "\"damping_ratio [-]\" (or %) is only compared with what Masing's rules give."},
-    Key{.name = "yield_surfaces",
-        .type = Type::integer,
-        .range = {.low = 3, .high = 200},
-        .default_text = "30",
-        .note = "hyperbolic and ramberg_osgood",
-        .sentence =
-            "Number of elastic-perfectly plastic parts, which are the corners of the backbone; a table has one for each row."},
 };
+
+inline constexpr auto material_keys = joined(own_material_keys, soil_keys);
 
 }  // namespace sazare::cases

@@ -13,7 +13,7 @@
 #include "sazare/geometry/gmsh/mesher.hpp"
 #include "sazare/methods/fem/boundary_faces.hpp"
 #include "sazare/methods/fem/case/case.hpp"
-#include "sazare/methods/fem/case/soil.hpp"
+#include "sazare/methods/fem/case/contraction.hpp"
 #include "sazare/methods/fem/run/drains.hpp"
 #include "sazare/methods/fem/run/members.hpp"
 #include "sazare/methods/fem/run/mesh_names.hpp"
@@ -47,7 +47,7 @@ fem::SolidMaterial material_of(const cases::FemMaterial& given, const cases::Fem
         material.saturation->flow->mobility = given.hydraulic_conductivity / weight;
     }
   }
-  if (given.degrades) material.backbone = cases::backbone_of(given);
+  if (given.degrades) material.backbone = cases::backbone_of(given, given.shear_modulus());
   if (!given.yields) return material;
   material.strength = laws::MohrCoulomb::make(given.cohesion, given.friction_angle * degree, given.dilation_angle * degree,
                                               given.tensile_strength);

@@ -1,4 +1,4 @@
-#include "sazare/methods/fem/case/soil.hpp"
+#include "sazare/cases/soil/backbone.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "sazare/cases/explanation.hpp"
-#include "sazare/methods/fem/case/fields.hpp"
+#include "sazare/cases/soil/fields.hpp"
 
 namespace sazare::cases {
 namespace {
@@ -24,14 +24,14 @@ std::optional<Real> damping_at(const ModulusReduction& table, Real strain) {
 
 std::string percent(Real share) { return number(100 * share, 3) + " %"; }
 
-std::string damping_text(const FemMaterial& material, const laws::BackboneCurve& curve) {
+std::string damping_text(const SoilBackbone& soil, const laws::BackboneCurve& curve) {
   std::string text = "damping by Masing's rules:";
   bool too_much = false;
   for (const Real strain : {1e-4, 1e-3, 1e-2}) {
     const Real damping = curve.masing_damping(strain);
     too_much = too_much || damping > real_damping;
     text += fmt::format("{} {} at {}", strain == 1e-4 ? "" : ",", percent(damping), number(strain));
-    if (const auto measured = damping_at(material.reduction, strain)) text += fmt::format(" (table {})", percent(*measured));
+    if (const auto measured = damping_at(soil.reduction, strain)) text += fmt::format(" (table {})", percent(*measured));
   }
   if (too_much) text += fmt::format("; real soil has less than what exceeds {}", percent(real_damping));
   return text;
@@ -59,37 +59,29 @@ std::vector<Real> lifts_of(const ModulusReduction& table) {
   return lifts;
 }
 
-laws::BackboneCurve backbone_of(const FemMaterial& material) {
-  const Real modulus = material.shear_modulus();
-  if (material.backbone == BackboneKind::table) {
-    const auto points = points_of(material.reduction, modulus);
-    return {modulus, points, material.shear_strength.value_or(points.back().stress)};
+laws::BackboneCurve backbone_of(const SoilBackbone& soil, Real modulus) {
+  if (soil.backbone == BackboneKind::table) {
+    const auto points = points_of(soil.reduction, modulus);
+    return {modulus, points, soil.shear_strength.value_or(points.back().stress)};
   }
-  const Real reference = material.reference_strain ? *material.reference_strain : *material.shear_strength / modulus;
-  const Real strength = material.shear_strength.value_or(modulus * reference);
-  if (material.backbone == BackboneKind::hyperbolic)
-    return laws::hyperbolic_curve(modulus, reference, strength, material.yield_surfaces);
-  return laws::ramberg_osgood_curve(modulus, reference, material.ramberg_osgood_exponent, strength, material.yield_surfaces);
+  const Real reference = soil.reference_strain ? *soil.reference_strain : *soil.shear_strength / modulus;
+  const Real strength = soil.shear_strength.value_or(modulus * reference);
+  if (soil.backbone == BackboneKind::hyperbolic) return laws::hyperbolic_curve(modulus, reference, strength, soil.yield_surfaces);
+  return laws::ramberg_osgood_curve(modulus, reference, soil.ramberg_osgood_exponent, strength, soil.yield_surfaces);
 }
 
-std::string soil_text(const FemMaterial& material) {
-  const laws::BackboneCurve curve = backbone_of(material);
+std::string soil_text(const SoilBackbone& soil, Real shear_modulus) {
+  const laws::BackboneCurve curve = backbone_of(soil, shear_modulus);
   std::string text = fmt::format("\n  {:<12}  backbone {}: G0 {} Pa, shear strength {} Pa, G/G0 = 0.5 at a shear strain of {}",
-                                 "", word(material.backbone), number(curve.shear_modulus()), number(curve.strength()),
+                                 "", word(soil.backbone), number(curve.shear_modulus()), number(curve.strength()),
                                  number(curve.strain_at_ratio(0.5)));
-  text += fmt::format("\n  {:<12}  {}", "", damping_text(material, curve));
-  if (material.backbone != BackboneKind::table) return text;
-  const Real lift = std::ranges::max(lifts_of(material.reduction));
+  text += fmt::format("\n  {:<12}  {}", "", damping_text(soil, curve));
+  if (soil.backbone != BackboneKind::table) return text;
+  const Real lift = std::ranges::max(lifts_of(soil.reduction));
   if (lift > 1e-9)
     text += fmt::format("\n  {:<12}  rows of the table are lifted by up to {}, so that the stress nowhere becomes stiffer", "",
                         percent(lift));
   return text;
-}
-
-laws::CyclicContraction contraction_of(const FemMaterial& material) {
-  const Real rate =
-      material.contraction_rate ? *material.contraction_rate : laws::CyclicContraction::rate_of(*material.blow_count);
-  return {rate, laws::CyclicContraction::decay_of(rate), material.contraction_threshold};
 }
 
 }  // namespace sazare::cases

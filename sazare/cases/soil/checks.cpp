@@ -3,18 +3,17 @@
 #include <cmath>
 
 #include "sazare/cases/format/number_text.hpp"
-#include "sazare/methods/fem/case/format.hpp"
-#include "sazare/methods/fem/case/soil.hpp"
+#include "sazare/cases/soil/checks.hpp"
 
 namespace sazare::cases {
 namespace {
 
-void check_backbone_keys(const CheckContext& context, const Entry& entry, const FemMaterial& material) {
-  if (!material.degrades)
+void check_backbone_keys(const CheckContext& context, const Entry& entry, const SoilBackbone& soil) {
+  if (!soil.degrades)
     return check_keys(context, entry, "a material without backbone", {},
                       {"reference_strain", "shear_strength", "ramberg_osgood_exponent", "modulus_reduction", "yield_surfaces"},
                       "give the material a backbone, or remove it");
-  switch (material.backbone) {
+  switch (soil.backbone) {
     case BackboneKind::hyperbolic:
       check_keys(context, entry, "a hyperbolic backbone", {}, {"ramberg_osgood_exponent", "modulus_reduction"});
       if (!entry.has("reference_strain") && !entry.has("shear_strength"))
@@ -33,27 +32,25 @@ void check_backbone_keys(const CheckContext& context, const Entry& entry, const 
 }
 
 /// The strength of a curve by its formula lies between the stress at the reference strain and, of a hyperbola, its limit.
-void check_strength_of_formula(const CheckContext& context, const Entry& entry, const FemMaterial& material) {
-  if (!entry.gives("reference_strain") || !entry.gives("shear_strength") || !entry.gives("youngs_modulus") ||
-      !entry.gives("poisson_ratio"))
-    return;
-  const Real limit = material.shear_modulus() * *material.reference_strain, given = *material.shear_strength;
+void check_strength_of_formula(const CheckContext& context, const Entry& entry, Real shear_modulus, const SoilBackbone& soil) {
+  if (!entry.gives("reference_strain") || !entry.gives("shear_strength")) return;
+  const Real limit = shear_modulus * *soil.reference_strain, given = *soil.shear_strength;
   if (given < 0.5 * limit)
     context.problems.error(entry.place("shear_strength"),
                            fmt::format("shear_strength must be at least G0 reference_strain/2 = {} Pa, found {}",
                                        short_number(0.5 * limit), short_number(given)),
                            "this is the stress at the reference strain, where G/G0 = 0.5; lower the reference strain");
-  if (material.backbone == BackboneKind::hyperbolic && given > limit * (1 + 1e-9))
+  if (soil.backbone == BackboneKind::hyperbolic && given > limit * (1 + 1e-9))
     context.problems.error(entry.place("shear_strength"),
                            fmt::format("shear_strength must be at most G0 reference_strain = {} Pa, found {}",
                                        short_number(limit), short_number(given)),
                            "the hyperbola ends there; raise the reference strain, or give one of the two alone");
 }
 
-void check_strength_of_table(const CheckContext& context, const Entry& entry, const FemMaterial& material) {
-  if (!entry.gives("shear_strength") || !entry.gives("youngs_modulus") || !entry.gives("poisson_ratio")) return;
-  const auto points = points_of(material.reduction, material.shear_modulus());
-  const Real last = points.back().stress, given = *material.shear_strength;
+void check_strength_of_table(const CheckContext& context, const Entry& entry, Real shear_modulus, const SoilBackbone& soil) {
+  if (!entry.gives("shear_strength")) return;
+  const auto points = points_of(soil.reduction, shear_modulus);
+  const Real last = points.back().stress, given = *soil.shear_strength;
   if (given < last * (1 - 1e-9))
     context.problems.error(entry.place("shear_strength"),
                            fmt::format("shear_strength must be at least the stress of the table's last row, {} Pa, found {}",
@@ -67,17 +64,17 @@ void check_strength_of_table(const CheckContext& context, const Entry& entry, co
 }
 
 /// Few corners make a damping curve that goes up and down between them.
-void check_corners(const CheckContext& context, const Entry& entry, const FemMaterial& material) {
+void check_corners(const CheckContext& context, const Entry& entry, const SoilBackbone& soil) {
   constexpr int few_surfaces = 10;
   constexpr Real widest_gap = 5, nearly_elastic = 0.95;
-  if (entry.gives("yield_surfaces") && material.yield_surfaces < few_surfaces)
+  if (entry.gives("yield_surfaces") && soil.yield_surfaces < few_surfaces)
     context.problems.warning(
         entry.place("yield_surfaces"),
-        fmt::format("the backbone has {} corners, between which its damping goes up and down", material.yield_surfaces),
+        fmt::format("the backbone has {} corners, between which its damping goes up and down", soil.yield_surfaces),
         fmt::format("give at least {}; the default is 30", few_surfaces));
-  const auto& strain = material.reduction.strain;
+  const auto& strain = soil.reduction.strain;
   for (std::size_t n = 1; n < strain.size(); ++n)
-    if (strain[n] > widest_gap * strain[n - 1] && material.reduction.ratio[n] < nearly_elastic)
+    if (strain[n] > widest_gap * strain[n - 1] && soil.reduction.ratio[n] < nearly_elastic)
       return context.problems.warning(
           entry.place("modulus_reduction"),
           fmt::format("no row of the table lies between the strains {} and {}, between which its damping goes up and down",
@@ -85,50 +82,30 @@ void check_corners(const CheckContext& context, const Entry& entry, const FemMat
           "give five rows for each power of ten, between measured ones by interpolation");
 }
 
-void check_table(const CheckContext& context, const Entry& entry, FemMaterial& material) {
+void check_table(const CheckContext& context, const Entry& entry, const SoilMaterial& material, SoilBackbone& soil) {
   if (!entry.gives("modulus_reduction")) return;
   const std::string as_written = *entry.value->find("modulus_reduction")->text();
   const Place place = entry.place("modulus_reduction");
-  if (!check_file(context, place, "table of G/G0", material.modulus_reduction, as_written)) return;
-  read_modulus_reduction(material, (context.shown_folder / as_written).lexically_normal().string(), place, context.problems);
-  if (!material.reduction.strain.empty()) check_strength_of_table(context, entry, material);
+  if (!check_file(context, place, "table of G/G0", soil.modulus_reduction, as_written)) return;
+  read_modulus_reduction(soil, (context.shown_folder / as_written).lexically_normal().string(), place, context.problems);
+  if (material.modulus_is_known && !soil.reduction.strain.empty())
+    check_strength_of_table(context, entry, material.shear_modulus, soil);
 }
 
 }  // namespace
 
-void check_contraction(const CheckContext& context, const FemCase& fem, const Entry& entry, const FemMaterial& material) {
-  if (!material.contracts())
-    return check_keys(context, entry, "a material that does not contract", {}, {"contraction_threshold"},
-                      "give the material a blow_count or a contraction_rate, or remove it");
-  if (material.blow_count && material.contraction_rate)
-    context.problems.error(entry.place("contraction_rate"), "the material has both blow_count and contraction_rate",
-                           "give exactly one of them: the blow count determines the rate");
-  if (material.dilation_angle > 0)
-    context.problems.error(entry.place("dilation_angle"), "ground that contracts under cycles has no dilation angle",
-                           "give sand that can liquefy dilation_angle = 0, or remove its blow_count or contraction_rate");
-  const Place place = entry.place(material.blow_count ? "blow_count" : "contraction_rate");
-  if (entry.gives("friction_angle") && material.friction_angle == 0)
-    context.problems.warning(
-        entry.place("friction_angle"),
-        "without friction the strength does not fall with the effective stress: such ground does not liquefy",
-        "give sand its friction angle, or remove its blow_count or contraction_rate");
-  if (fem.time.analysis == Analysis::statics && fem.motions.empty())
-    context.problems.warning(place, "nothing shears the ground to and fro in a static run without motions: it takes no volume",
-                             "set analysis = \"dynamic\" in [time], give the ground a motion, or remove it");
-}
-
-void check_soil(const CheckContext& context, const Entry& entry, FemMaterial& material) {
+void check_soil(const CheckContext& context, const Entry& entry, const SoilMaterial& material, SoilBackbone& soil) {
   if (entry.has("backbone") && !entry.gives("backbone")) return;  // which keys belong to it is not known
-  check_backbone_keys(context, entry, material);
-  if (!material.degrades) return;
+  check_backbone_keys(context, entry, soil);
+  if (!soil.degrades) return;
   if (material.yields)
     context.problems.error(entry.place("cohesion"), "the material has both a backbone and a cohesion",
                            "keep one of them: a backbone ends in its own shear_strength");
-  if (material.backbone == BackboneKind::table)
-    check_table(context, entry, material);
-  else
-    check_strength_of_formula(context, entry, material);
-  check_corners(context, entry, material);
+  if (soil.backbone == BackboneKind::table)
+    check_table(context, entry, material, soil);
+  else if (material.modulus_is_known)
+    check_strength_of_formula(context, entry, material.shear_modulus, soil);
+  check_corners(context, entry, soil);
 }
 
 }  // namespace sazare::cases

@@ -5,7 +5,7 @@
 
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/cases/format/table_problems.hpp"
-#include "sazare/methods/fem/case/soil.hpp"
+#include "sazare/cases/soil/backbone.hpp"
 
 namespace sazare::cases {
 namespace {
@@ -154,9 +154,9 @@ private:
 
 }  // namespace
 
-void read_modulus_reduction(FemMaterial& material, const std::string& shown_name, const Place& named_at, Problems& problems) {
-  const auto source = add_text_file(material.modulus_reduction, shown_name, "the table of G/G0", named_at, problems);
-  if (source) ReductionReader(material.reduction, *source, named_at, problems).run();
+void read_modulus_reduction(SoilBackbone& soil, const std::string& shown_name, const Place& named_at, Problems& problems) {
+  const auto source = add_text_file(soil.modulus_reduction, shown_name, "the table of G/G0", named_at, problems);
+  if (source) ReductionReader(soil.reduction, *source, named_at, problems).run();
 }
 
 }  // namespace sazare::cases

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "sazare/cases/fields.hpp"
+#include "sazare/cases/soil/backbone.hpp"
+
+/// Which member of a soil belongs to which key (see fields.hpp).
+namespace sazare::cases {
+
+template <>
+struct EnumWords<BackboneKind> {
+  static constexpr std::array<std::string_view, 3> words{"hyperbolic", "ramberg_osgood", "table"};
+};
+
+template <class Visitor>
+void visit_backbone(Visitor& visit, SoilBackbone& soil) {
+  soil.degrades = visit.has("backbone", soil.degrades);
+  if (!soil.degrades) return;
+  visit("backbone", soil.backbone);
+  visit("shear_strength", soil.shear_strength);
+  if (soil.backbone == BackboneKind::table) {
+    visit("modulus_reduction", soil.modulus_reduction);
+    return;
+  }
+  visit("reference_strain", soil.reference_strain);
+  if (soil.backbone == BackboneKind::ramberg_osgood) visit("ramberg_osgood_exponent", soil.ramberg_osgood_exponent);
+  visit("yield_surfaces", soil.yield_surfaces);
+}
+
+}  // namespace sazare::cases
