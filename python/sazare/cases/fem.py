@@ -104,8 +104,8 @@ class Material(Part):
     """
     backbone: Literal["hyperbolic", "ramberg_osgood", "table"] | None = None
     """Soil that degrades with shear strain and dissipates by Masing's rules: stress of a first loading in shear, a hyperbola, the
-    curve of Ramberg and Osgood, or a table of G/G0. G0 follows from Young's modulus and Poisson's ratio. (default: the
-    stiffness does not depend on the strain; not with a cohesion)
+    curve of Ramberg and Osgood, or a table of G/G0. G0 is the shear modulus of the elastic material. (default: the stiffness
+    does not depend on the strain; not with a cohesion)
     """
     reference_strain: float | None = None
     """Shear strain at which G/G0 = 0.5. (hyperbolic and ramberg_osgood; default of hyperbolic: shear_strength/G0) Greater than 0

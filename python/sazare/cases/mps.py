@@ -80,6 +80,31 @@ class Material(Part):
     """Equivalent plastic shear strain (engineering) or tensile opening at which the ground breaks: it then has friction, but no
     cohesion and no links. (only with a cohesion) Default: 0.1. Greater than 0.
     """
+    backbone: Literal["hyperbolic", "ramberg_osgood", "table"] | None = None
+    """Soil that degrades with shear strain and dissipates by Masing's rules: stress of a first loading in shear, a hyperbola, the
+    curve of Ramberg and Osgood, or a table of G/G0. G0 is the shear modulus of the elastic material. (default: the stiffness
+    does not depend on the strain; not with a cohesion)
+    """
+    reference_strain: float | None = None
+    """Shear strain at which G/G0 = 0.5. (hyperbolic and ramberg_osgood; default of hyperbolic: shear_strength/G0) Greater than 0
+    and at most 1.
+    """
+    shear_strength: float | None = None
+    """Shear strength, at which the backbone ends. [Pa] (with a backbone; required for ramberg_osgood; default of hyperbolic: G0
+    reference_strain, of a table: the stress of its last row) Greater than 0.
+    """
+    ramberg_osgood_exponent: float | None = None
+    """Exponent r of strain = stress/G0 (1 + (2 stress/(G0 reference_strain))^(r - 1)). (required for ramberg_osgood) Greater than
+    1 and at most 20.
+    """
+    modulus_reduction: str | None = None
+    """CSV with the header "shear_strain [-],modulus_ratio [-]", strains in - or %: G/G0 falls from 1. A third column
+    "damping_ratio [-]" (or %) is only compared with what Masing's rules give. (required for a table)
+    """
+    yield_surfaces: int | None = None
+    """Number of elastic-perfectly plastic parts, which are the corners of the backbone; a table has one for each row. (hyperbolic
+    and ramberg_osgood) Default: 30. At least 3 and at most 200.
+    """
 
 
 @dataclass(kw_only=True, eq=False)

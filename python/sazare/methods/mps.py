@@ -310,6 +310,7 @@ METHOD = Method(
         "displacement": ("displacement", "m"),
         "plastic_shear_strain": ("equivalent plastic shear strain", ""),
         "broken_fraction": ("share of broken links", ""),
+        "shear_strain_max": ("largest shear strain", ""),
         "acceleration": ("acceleration", "m/s²"),
     },
     tables=common.shaking_tables,

@@ -4,6 +4,8 @@
 #include <set>
 #include <utility>
 
+#include "sazare/parallel/threads.hpp"
+
 namespace sazare::methods::mps {
 
 template <int D>
@@ -14,9 +16,11 @@ FailingForces<D>::FailingForces(const state::Particles<D>& particles, LinkTable<
       contacts_(particles, links_, rules),
       gathered_(particles, strength_, rules),
       whole_links_(particles.size(), 0),
-      lost_links_(particles.size(), 0) {
-  for (auto* tensors : {&stretch_, &virial_, &relief_})
+      lost_links_(particles.size(), 0),
+      work_(particles.padded(), 0) {
+  for (auto* tensors : {&stretch_, &virial_})
     for (state::Column& column : *tensors) column.assign(particles.padded(), 0);
+  for (state::Column& column : relief_) column.assign(particles.padded(), 0);
   for (state::Column& column : frames_) column.assign(particles.padded(), 0);
   for (Index i = 0; i < particles.count; ++i)
     for (std::size_t n = 0; n < links_.directions.size(); ++n) whole_links_[at(i)] += links_.is_present(n, i) ? 1 : 0;
@@ -100,28 +104,34 @@ void FailingForces<D>::restore_links() {
 
 template <int D>
 void FailingForces<D>::add_work_of_flow(const state::Particles<D>& particles) {
-  const auto& flowed = strength_.flowed();
-  const auto relief = [&](std::size_t i, std::size_t row, std::size_t column) {  // R^T times the virial
-    Real sum = 0;
-    if constexpr (D == 2) {
-      const Real cosine = particles.rotation[0][i], sine = particles.rotation[1][i];
-      sum = row == 0 ? cosine * virial_[column][i] + sine * virial_[2 + column][i]
-                     : cosine * virial_[2 + column][i] - sine * virial_[column][i];
-    } else {
-      for (std::size_t k = 0; k < 3; ++k) sum += particles.rotation[3 * k + row][i] * virial_[3 * k + column][i];
+  constexpr std::size_t serial_packs = 128;
+  const auto& flow = strength_.last_flow();
+  parallel::parallel_for(particles.padded() / lane_count, serial_packs, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t first = begin * lane_count; first < end * lane_count; first += lane_count) {
+      const auto turn = [&](std::size_t row, std::size_t column) {
+        if constexpr (D == 3) return load_lanes(&particles.rotation[3 * row + column][first]);
+        const Lanes part = load_lanes(&particles.rotation[row == column ? 0 : 1][first]);
+        return row < column ? -part : part;
+      };
+      Lanes work{};
+      std::size_t number = 0;
+      for (std::size_t row = 0; row < D; ++row)
+        for (std::size_t column = row; column < D; ++column, ++number) {
+          Lanes now{};  // R^T times the virial, off the diagonal both parts that a symmetric flow moves
+          for (std::size_t k = 0; k < D; ++k) {
+            now += turn(k, row) * load_lanes(&virial_[D * k + column][first]);
+            if (row != column) now += turn(k, column) * load_lanes(&virial_[D * k + row][first]);
+          }
+          Real* kept = &relief_[number][first];
+          work += 0.5 * (load_lanes(kept) + now) * load_lanes(&flow[D * row + column][first]);
+          store_lanes(kept, now);
+        }
+      store_lanes(&work_[first], work);
     }
-    return sum;
-  };
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    const Rotation<D> part = flowed[i] != 0 ? strength_.last_flow(static_cast<Index>(i)) : Rotation<D>(Rotation<D>::Zero());
-    for (std::size_t row = 0; row < D; ++row)
-      for (std::size_t column = 0; column < D; ++column) {
-        Real& kept = relief_[D * row + column][i];
-        const Real now = relief(i, row, column);
-        if (flowed[i] != 0) flow_ += 0.5 * (kept + now) * part(static_cast<int>(row), static_cast<int>(column));
-        kept = now;
-      }
-  }
+  });
+  const auto& flowed = strength_.flowed();
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    if (flowed[i] != 0) flow_ += work_[i];
 }
 
 /// Energy of all packs that have one of these particles or a particle that is linked with one.
@@ -139,8 +149,8 @@ Real FailingForces<D>::energy_around(const state::Particles<D>& particles, std::
 template <int D>
 Real FailingForces<D>::energy(const state::Particles<D>& particles) {
   strength_.make_frames(particles, frames_);
-  return energy_of_links(links_, RotationRemoval::mean_rotation, particles, frames_) +
-         contacts_.energy(particles, strength_) + gathered_.energy(strength_);
+  return energy_of_links(links_, RotationRemoval::mean_rotation, particles, frames_) + contacts_.energy(particles, strength_) +
+         gathered_.energy(strength_) + strength_.degrading().stored();
 }
 
 template <int D>

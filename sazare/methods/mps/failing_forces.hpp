@@ -16,11 +16,12 @@ struct FailureWork {
 };
 
 /// Every evaluation first lets the ground flow by what is beyond its strength, and then evaluates the links as they have relaxed.
-/// (With the flow of the step before, the overshoot would act as a dashpot and make the stable step shorter.) A particle breaks when
-/// its slip reaches its rupture strain: all its links break, and it is broken ground from then on (gathered_ground.hpp).
+/// (With the flow of the step before, the overshoot would act as a dashpot and make the stable step shorter.) A particle breaks
+/// when its slip reaches its rupture strain: all its links break, and it is broken ground from then on (gathered_ground.hpp).
 ///
 /// Plastic flow de_p of a linked particle dissipates (q + q')/2 : de_p, with q = -dE/de_p before the step and q' after it: with
-/// the work of the forces, the mean of both ends times the displacement, it closes the energy balance.
+/// the work of the forces, the mean of both ends times the displacement, it closes the energy balance. Ground that degrades keeps
+/// a part of it as elastic energy of its own (degrading_ground.hpp).
 template <int D>
 class FailingForces final : public particles::ParticleForces<D> {
 public:
@@ -33,7 +34,10 @@ public:
 
   const GroundStrength<D>& strength() const { return strength_; }
   const GatheredGround<D>& gathered() const { return gathered_; }
-  FailureWork work() const { return {flow_ + gathered_.flow(), rupture_ + gathered_.lost(), contacts_.dissipated() + gathered_.drag()}; }
+  FailureWork work() const {
+    return {flow_ - strength_.degrading().stored() + gathered_.flow(), rupture_ + gathered_.lost(),
+            contacts_.dissipated() + gathered_.drag()};
+  }
   Index broken_links() const { return static_cast<Index>(cut_.size()); }
   Index contacts() const { return contacts_.touching(); }
 
@@ -63,12 +67,15 @@ private:
   Frames<GroundStrength<D>::numbers> frames_;
   Tensors<D> stretch_;      ///< see measure_stretch
   Tensors<D> virial_;       ///< see evaluate_links
-  Tensors<D> relief_;       ///< q of every particle at the last evaluation [N m; N in 2-D]
+  /// q of every particle at the last evaluation: its diagonal, and the sums of both parts off it [N m; N in 2-D].
+  std::array<state::Column, static_cast<std::size_t>(D) * (D + 1) / 2> relief_;
   state::Column pressure_;  ///< see evaluate_links
   std::vector<Index> whole_links_;  ///< by particle, at the beginning
   std::vector<Index> lost_links_;   ///< by particle
   std::vector<CutLink> cut_;        ///< in the order in which they broke
-  Real flow_ = 0, rupture_ = 0;
+  state::Column work_;              ///< by particle, of its last flow [J; J/m in 2-D]
+  Real flow_ = 0;                   ///< what plastic flow has taken from the links so far [J; J/m in 2-D]
+  Real rupture_ = 0;
 };
 
 extern template class FailingForces<2>;

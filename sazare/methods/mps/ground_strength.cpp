@@ -1,6 +1,7 @@
 #include "sazare/methods/mps/ground_strength.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -12,6 +13,7 @@ namespace sazare::methods::mps {
 namespace {
 
 constexpr std::size_t serial_below = 1024;  // particles
+constexpr std::size_t serial_packs = 128;
 constexpr Real least_span = 0.05;           // of the spread of links over that of a whole neighbourhood
 
 Real square(Real number) { return number * number; }
@@ -39,6 +41,43 @@ void write(Tensors<D>& tensors, std::size_t i, const Rotation<D>& tensor) {
   for (int n = 0; n < D * D; ++n) tensors[static_cast<std::size_t>(n)][i] = tensor(n / D, n % D);
 }
 
+template <int D>
+using LaneTensor = std::array<Lanes, static_cast<std::size_t>(D) * D>;
+
+template <int D>
+LaneTensor<D> load(const Tensors<D>& tensors, std::size_t first) {
+  LaneTensor<D> tensor;
+  for (std::size_t n = 0; n < tensor.size(); ++n) tensor[n] = load_lanes(&tensors[n][first]);
+  return tensor;
+}
+
+template <int D>
+LaneTensor<D> turn_of(const state::Particles<D>& particles, std::size_t first) {
+  if constexpr (D == 2) {
+    const Lanes cosine = load_lanes(&particles.rotation[0][first]), sine = load_lanes(&particles.rotation[1][first]);
+    return {cosine, -sine, sine, cosine};
+  } else {
+    return load<D>(particles.rotation, first);
+  }
+}
+
+template <int D>
+LaneTensor<D> transposed(const LaneTensor<D>& tensor) {
+  LaneTensor<D> result;
+  for (std::size_t row = 0; row < D; ++row)
+    for (std::size_t column = 0; column < D; ++column) result[D * row + column] = tensor[D * column + row];
+  return result;
+}
+
+template <int D>
+LaneTensor<D> product(const LaneTensor<D>& a, const LaneTensor<D>& b) {
+  LaneTensor<D> result{};
+  for (std::size_t row = 0; row < D; ++row)
+    for (std::size_t column = 0; column < D; ++column)
+      for (std::size_t k = 0; k < D; ++k) result[D * row + column] += a[D * row + k] * b[D * k + column];
+  return result;
+}
+
 /// Largest and smallest principal stress of an elastic strain.
 template <int D>
 std::pair<Real, Real> extreme_stresses(const laws::Elasticity& elastic, const Rotation<D>& strain) {
@@ -58,6 +97,26 @@ std::pair<Real, Real> extreme_stresses(const laws::Elasticity& elastic, const Ro
   return {2 * elastic.shear_modulus * largest + pressure, 2 * elastic.shear_modulus * smallest + pressure};
 }
 
+/// Sum over the links of a particle of d w/(n0 |r0|^2) r0 r0^T: 1 for a whole neighbourhood.
+template <int D>
+Rotation<D> spread_of(const LinkTable<D>& links, Index particle) {
+  Rotation<D> spread = Rotation<D>::Zero();
+  for (std::size_t n = 0; n < links.directions.size(); ++n) {
+    const laws::LinkDirection<D>& law = links.directions[n].law;
+    const Vector<D>& start = law.start;
+    spread += links.share(n, particle) * law.divergence / start.norm() * start * start.transpose();
+  }
+  return spread;
+}
+
+/// Volume of each particle as far as its links tell of it: all of an inner one's, less at a surface.
+template <int D>
+std::vector<Real> volumes_told(const state::Particles<D>& particles, const LinkTable<D>& links) {
+  std::vector<Real> volumes(particles.padded(), 0);
+  for (Index i = 0; i < particles.count; ++i) volumes[at(i)] = particles.volume() * spread_of<D>(links, i).trace() / D;
+  return volumes;
+}
+
 }  // namespace
 
 template <int D>
@@ -67,16 +126,17 @@ GroundStrength<D>::GroundStrength(const state::Particles<D>& particles, const Li
   for (auto* tensors : {&plastic_, &inverse_, &last_flow_})
     for (state::Column& column : *tensors) column.assign(particles.padded(), 0);
   for (Index i = 0; i < particles.count; ++i) measure(i, links);
+  any_yields_ = std::ranges::any_of(grounds_, &StrengthOfGround::yields);
+  std::vector<DegradingSoil> soils;
+  for (const StrengthOfGround& ground : grounds_) soils.push_back({ground.elastic, ground.parts});
+  degrading_ = DegradingGround<D>(soils, material_, volumes_told(particles, links));
+  for (Index i = 0; i < particles.count; ++i)
+    if (degrading_.holds_particle(i)) flowed_[at(i)] = 2;
 }
 
 template <int D>
 void GroundStrength<D>::measure(Index particle, const LinkTable<D>& links) {
-  Rotation<D> spread = Rotation<D>::Zero();
-  for (std::size_t n = 0; n < links.directions.size(); ++n) {
-    const laws::LinkDirection<D>& law = links.directions[n].law;
-    const Vector<D>& start = law.start;
-    spread += links.share(n, particle) * law.divergence / start.norm() * start * start.transpose();
-  }
+  const Rotation<D> spread = spread_of<D>(links, particle);
   const Eigen::SelfAdjointEigenSolver<Rotation<D>> solver(spread);  // the spread of a whole neighbourhood is 1 on every axis
   write<D>(inverse_, at(particle),
            solver.eigenvalues()[0] > least_span ? Rotation<D>(spread.inverse()) : Rotation<D>(Rotation<D>::Zero()));
@@ -110,9 +170,25 @@ Rotation<D> GroundStrength<D>::elastic_strain(const state::Particles<D>& particl
 }
 
 template <int D>
+void GroundStrength<D>::degrade(const state::Particles<D>& particles, const Tensors<D>& stretch, std::size_t pack) {
+  const std::size_t first = pack * lane_count;
+  const LaneTensor<D> turn = turn_of(particles, first),
+                      gradient = product<D>(transposed<D>(turn), product<D>(load<D>(stretch, first), load<D>(inverse_, first)));
+  LaneTensor<D> strain;
+  for (std::size_t row = 0; row < D; ++row)
+    for (std::size_t column = 0; column < D; ++column)
+      strain[D * row + column] = 0.5 * (gradient[D * row + column] + gradient[D * column + row]) - (row == column ? 1.0 : 0.0);
+  LaneTensor<D> flowed{};
+  const bool flows = degrading_.flow(pack, strain, load_lanes(&inverse_[0][first]) != 0.0, &slip_[first], flowed);
+  for (std::size_t n = 0; n < numbers; ++n) {
+    store_lanes(&last_flow_[n][first], flowed[n]);
+    if (flows) store_lanes(&plastic_[n][first], load_lanes(&plastic_[n][first]) + flowed[n]);
+  }
+}
+
+template <int D>
 bool GroundStrength<D>::flow_one(const state::Particles<D>& particles, const Tensors<D>& stretch, std::size_t i) {
   const StrengthOfGround& ground = grounds_[at(material_[i])];
-  if (!ground.yields) return false;
   if (inverse_[0][i] == 0) return false;
   const Rotation<D> elastic = elastic_strain(particles, stretch, i);
   const auto [largest, smallest] = extreme_stresses<D>(ground.elastic, elastic);
@@ -135,19 +211,21 @@ bool GroundStrength<D>::flow_one(const state::Particles<D>& particles, const Ten
 
 template <int D>
 void GroundStrength<D>::flow(const state::Particles<D>& particles, const Tensors<D>& stretch) {
+  if (!degrading_.empty())
+    parallel::parallel_for(particles.padded() / lane_count, serial_packs, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t pack = begin; pack < end; ++pack)
+        if (degrading_.holds(pack)) degrade(particles, stretch, pack);
+    });
+  if (!any_yields_) return;
   parallel::parallel_for(particles.size(), serial_below, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) flowed_[i] = flow_one(particles, stretch, i) ? 1 : 0;
+    for (std::size_t i = begin; i < end; ++i)
+      if (grounds_[at(material_[i])].yields) flowed_[i] = flow_one(particles, stretch, i) ? 1 : 0;
   });
 }
 
 template <int D>
 Rotation<D> GroundStrength<D>::plastic(Index particle) const {
   return read<D>(plastic_, at(particle));
-}
-
-template <int D>
-Rotation<D> GroundStrength<D>::last_flow(Index particle) const {
-  return read<D>(last_flow_, at(particle));
 }
 
 template <int D>
@@ -169,6 +247,7 @@ template <int D>
 void GroundStrength<D>::columns(Archive& archive) {
   for (std::size_t n = 0; n < numbers; ++n) archive("plastic" + std::to_string(n), plastic_[n]);
   archive("slip", slip_);
+  archive.folder("degrading", [&] { degrading_.columns(archive); });
 }
 
 template class GroundStrength<2>;

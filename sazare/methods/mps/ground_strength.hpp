@@ -1,9 +1,10 @@
 #pragma once
 
-/// Ground that flows: each particle remembers a plastic strain, to which its links relax.
+/// Ground that flows: each particle remembers a plastic strain, to which its links relax. It flows where it reaches a strength,
+/// or degrades with strain (degrading_ground.hpp).
 
 #include "sazare/laws/mohr_coulomb.hpp"
-#include "sazare/methods/mps/link_forces.hpp"
+#include "sazare/methods/mps/degrading_ground.hpp"
 
 namespace sazare::methods::mps {
 
@@ -14,6 +15,7 @@ struct StrengthOfGround {
   laws::Elasticity elastic;
   Real density = 0;         ///< [kg/m3]
   Real rupture_strain = 0;  ///< slip at which links break [-]
+  std::vector<laws::OverlayPart> parts = {};  ///< of soil that degrades with strain, without a strength; else none
 };
 
 /// Strains of particles from their links, and the plastic strains that keep the stresses within the strength.
@@ -42,13 +44,14 @@ public:
   /// Lets every particle flow whose stress is beyond its strength; `stretch` as measure_stretch gives it.
   void flow(const state::Particles<D>& particles, const Tensors<D>& stretch);
 
-  /// Which particles have flowed in the last call of `flow`: a byte each, not 0.
+  /// Which particles have flowed in the last call of `flow`: a byte each, 1 of ground that may break, 2 of ground that degrades,
+  /// else 0.
   const std::vector<std::uint8_t>& flowed() const { return flowed_; }
 
   /// e_p of a particle [-].
   Rotation<D> plastic(Index particle) const;
-  /// What `flow` has added to e_p of a particle that has flowed [-].
-  Rotation<D> last_flow(Index particle) const;
+  /// What `flow` has added to e_p of the particles that have flowed [-].
+  const Tensors<D>& last_flow() const { return last_flow_; }
 
   /// Stress of a particle, in space; none where its links do not span the space.
   Rotation<D> stress(const state::Particles<D>& particles, const Tensors<D>& stretch, Index particle) const;
@@ -61,11 +64,13 @@ public:
   bool is_ruptured(Index particle) const;
 
   const state::Column& slip() const { return slip_; }  ///< of each particle, summed up [-]
+  const DegradingGround<D>& degrading() const { return degrading_; }
 
   void columns(Archive& archive);
 
 private:
   Rotation<D> elastic_strain(const state::Particles<D>& particles, const Tensors<D>& stretch, std::size_t i) const;
+  void degrade(const state::Particles<D>& particles, const Tensors<D>& stretch, std::size_t pack);
   bool flow_one(const state::Particles<D>& particles, const Tensors<D>& stretch, std::size_t i);
 
   std::vector<StrengthOfGround> grounds_;
@@ -75,6 +80,8 @@ private:
   Tensors<D> last_flow_;  ///< of particles that have flowed [-]
   state::Column slip_;
   std::vector<std::uint8_t> flowed_;
+  DegradingGround<D> degrading_;
+  bool any_yields_ = false;
 };
 
 extern template class GroundStrength<2>;

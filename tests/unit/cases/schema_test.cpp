@@ -88,6 +88,7 @@ TEST(Schema, ChoicesAreInTheOrderOfTheEnums) {
   expect_same_words<GroupKind>("boundaries", "kind", fem_schema());
   expect_same_words<Analysis>("time", "analysis", fem_schema());
   expect_same_words<BackboneKind>("materials", "backbone", fem_schema());
+  expect_same_words<BackboneKind>("materials", "backbone", mps_schema());
   expect_same_words<Drainage>("materials", "drainage", fem_schema());
 }
 

@@ -2,6 +2,7 @@
 
 #include "case_folder.hpp"
 #include "sazare/methods/fem/case/format.hpp"
+#include "sazare/methods/mps/case/format.hpp"
 
 namespace sazare::cases {
 namespace {
@@ -72,6 +73,49 @@ TEST(SoilCase, ReadsBackToTheSameCase) {
         "backbone = \"table\"\nmodulus_reduction = \"curve.csv\"\nshear_strength = 60e3\n"}) {
     const std::string resolved = write_resolved(folder.read(soil_case(keys)).as<FemCase>());
     EXPECT_EQ(write_resolved(folder.read(resolved).as<FemCase>()), resolved);
+  }
+}
+
+/// A case of method mps with the same soil.
+std::string particle_case(const std::string& keys) {
+  return R"([case]
+title = "Soil"
+method = "mps"
+
+[particles]
+spacing = 1
+
+[[regions]]
+name = "all"
+lower = [0, 0, 0]
+upper = [4, 4, 0]
+
+[[materials]]
+name = "soil"
+regions = ["all"]
+density = 1600
+s_wave_velocity = 158.11388300841898
+poisson_ratio = 0.25
+)" + keys +
+         R"(
+[time]
+end = 1
+)";
+}
+
+TEST(SoilCase, IsTheSameOfParticles) {
+  const CaseFolder folder;
+  folder.write("curve.csv", table);
+  for (const std::string keys :
+       {"backbone = \"hyperbolic\"\nreference_strain = 1e-3\n", "backbone = \"hyperbolic\"\nshear_strength = 4e4\n",
+        "backbone = \"ramberg_osgood\"\nreference_strain = 1e-3\nramberg_osgood_exponent = 2.5\nshear_strength = 50e3\n",
+        "backbone = \"table\"\nmodulus_reduction = \"curve.csv\"\nshear_strength = 60e3\n"}) {
+    const MpsCase mps = folder.read(particle_case(keys)).as<MpsCase>();
+    const auto curve = backbone_of(mps.materials[0], mps.materials[0].shear_modulus()), expected = curve_of(folder, keys);
+    for (const Real strain : {1e-5, 1e-3, 1e-1}) EXPECT_NEAR(curve.stress(strain), expected.stress(strain), 1e-6);
+    const std::string resolved = write_resolved(mps);
+    EXPECT_EQ(write_resolved(folder.read(resolved).as<MpsCase>()), resolved);
+    EXPECT_NE(explain(mps).find("damping by Masing's rules"), std::string::npos);
   }
 }
 

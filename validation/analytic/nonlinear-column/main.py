@@ -1,4 +1,4 @@
-"""A wave in a column of soil that degrades with strain, by finite elements and by finite differences of its own."""
+"""A wave in a column of soil that degrades with strain, by finite elements, by particles and by finite differences of its own."""
 
 import subprocess
 import sys
@@ -14,6 +14,8 @@ HERE = Path(__file__).resolve().parent
 PROGRAM = HERE.parents[2] / "build/release/apps/sazare/sazare"
 HEIGHT, DENSITY, MODULUS, REFERENCE = 20.0, 1800.0, 40.5e6, 1e-3  # m, kg/m3, Pa, -
 ROCK_DENSITY, ROCK_MODULUS, ROCK_HEIGHT = 2200.0, 0.891e9, 2.0  # kg/m3, Pa, m
+ROCK_OF_PARTICLES = 1.9375  # m, from the centres of the lowest particles
+WIDTH, WIDTH_OF_PARTICLES = 0.5, 0.25  # m
 ROCK_VELOCITY = np.sqrt(ROCK_MODULUS / ROCK_DENSITY)  # m/s
 AMPLITUDE, FREQUENCY, CYCLES = 0.6, 1.2, 4  # m/s2, Hz, -
 
@@ -43,7 +45,7 @@ class Parts:
         return self.stress.sum(axis=0)
 
 
-def differences(cells, step, end):
+def differences(cells, step, end, rock_height=ROCK_HEIGHT):
     """Central differences: times [s] (n,), surface less foot [m] (n,), peak strains (cells,), dissipated energy [J/m2]."""
     parts, width = Parts(cells), HEIGHT / cells
     mass = np.full(cells + 1, DENSITY * width)
@@ -59,7 +61,7 @@ def differences(cells, step, end):
         force[1:] -= stress
         foot = velocity[0]
         velocity += step / mass * force
-        incoming = 2.0 * impedance * wave(number * step - ROCK_HEIGHT / ROCK_VELOCITY)
+        incoming = 2.0 * impedance * wave(number * step - rock_height / ROCK_VELOCITY)
         velocity[0] = (mass[0] / step * foot + force[0] + incoming - 0.5 * impedance * foot) / (mass[0] / step + 0.5 * impedance)
         moved += step * velocity
         change = step * np.diff(velocity) / width
@@ -72,8 +74,8 @@ def differences(cells, step, end):
     return step * np.arange(count + 1), behind, peak, work - stored
 
 
-def run(folder, **settings):
-    command = [PROGRAM, "run", HERE / "case.toml", "--out", folder, "--overwrite", "--quiet"]
+def run(folder, case="case.toml", **settings):
+    command = [PROGRAM, "run", HERE / case, "--out", folder, "--overwrite", "--quiet"]
     command += [word for key, value in settings.items() for word in ("--set", f"{key.replace('__', '.')}={value}")]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode != 0:
@@ -101,16 +103,51 @@ def strong(folder):
     print(f"peak-strain,{found.max() / wanted.max()}")
     print(f"profile,{np.max(np.abs(found - wanted)) / wanted.max()}")
     figures = results.figures
-    print(f"dissipated,{figures['energy_plastic'] / 0.5 / dissipated}")
+    print(f"dissipated,{figures['energy_plastic'] / WIDTH / dissipated}")
     print(f"energy-balance,{abs(figures['energy_residual']) / figures['energy_work']}")
     print(f"degraded,{wanted.max() / REFERENCE}")
+    return behind
+
+
+def behind_foot(table):
+    """Of particles, between which the foot of the soil lies."""
+    foot = 0.5 * (np.asarray(table["above foot.displacement_x"]) + np.asarray(table["below foot.displacement_x"]))
+    return np.asarray(table["top.displacement_x"]) - foot
+
+
+def strong_particles(folder, behind_elements):
+    results = run(folder, "particles.toml")
+    table = results.gauge_table
+    behind = behind_foot(table)
+    time, exact, peak, dissipated = differences(cells=200, step=2.5e-4, end=5.0, rock_height=ROCK_OF_PARTICLES)
+    error = np.interp(np.asarray(table["time"]), time, exact) - behind
+    print(f"particles-surface,{np.max(np.abs(error)) / np.max(np.abs(exact))}")
+    print(f"particles-elements,{abs(np.max(np.abs(behind)) / np.max(np.abs(behind_elements)) - 1)}")
+    grid = results.particle_snapshots[-1].elements
+    strain = np.asarray(grid.cell_data["shear_strain_max"])
+    print(f"particles-peak-strain,{strain.max() / peak.max()}")
+    figures = results.figures
+    print(f"particles-dissipated,{figures['energy_plastic'] / WIDTH_OF_PARTICLES / dissipated}")
+    print(f"particles-energy-balance,{abs(figures['energy_residual']) / figures['energy_work_viscous']}")
+    flow = np.asarray(results.history["energy_plastic"])
+    print(f"particles-gain,{max(0.0, -np.diff(flow).min()) / flow[-1]}")
 
 
 def weak(folder):
     """The transfer function of the elastic column, from the incoming wave to the surface."""
     amplitude, frequency, cycles, end, step = 1e-5, 6.0, 1, 8.0, 2e-3
-    results = run(folder, motions__0__amplitude=amplitude, motions__0__frequency=frequency, motions__0__cycles=cycles, time__end=end,
+    results = run(folder, "case.toml", motions__0__amplitude=amplitude, motions__0__frequency=frequency, motions__0__cycles=cycles, time__end=end,
                   time__step=step, time__history_interval=step, time__snapshot_interval=end, solver__tolerance=1e-5)  # the motion dies out
+    print(f"transfer,{error_of_transfer(results, amplitude, frequency, cycles, step)}")
+    print(f"weak-dissipated,{results.figures['energy_plastic']}")
+    results = run(folder, "particles.toml", motions__0__amplitude=amplitude, motions__0__frequency=frequency, motions__0__cycles=cycles,
+                  time__end=end, time__history_interval=step, time__snapshot_interval=end)
+    print(f"particles-transfer,{error_of_transfer(results, amplitude, frequency, cycles, step)}")
+    print(f"particles-weak-dissipated,{results.figures['energy_plastic']}")
+
+
+def error_of_transfer(results, amplitude, frequency, cycles, step):
+    """From the incoming wave to the surface, 0.5 to 8 Hz, against the exact elastic column."""
     surface = np.asarray(results.gauge_table["top.velocity_x"])
     incoming = wave(step * np.arange(len(surface)), amplitude, frequency, cycles)
     at = np.fft.rfftfreq(len(surface), step)
@@ -118,13 +155,13 @@ def weak(folder):
     speed = np.sqrt(MODULUS / DENSITY)
     exact = 2.0 * np.abs(Column([Layer(HEIGHT, DENSITY, speed), Layer(np.inf, ROCK_DENSITY, ROCK_VELOCITY)]).transfer(at))
     band = (at >= 0.5) & (at <= 8.0)
-    print(f"transfer,{np.max(np.abs(ratio - exact)[band]) / np.max(exact[band])}")
-    print(f"weak-dissipated,{results.figures['energy_plastic']}")
+    return np.max(np.abs(ratio - exact)[band]) / np.max(exact[band])
 
 
 def main():
     with tempfile.TemporaryDirectory() as folder:
-        strong(Path(folder) / "strong")
+        behind = strong(Path(folder) / "strong")
+        strong_particles(Path(folder) / "particles", behind)
         weak(Path(folder) / "weak")
 
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sazare/cases/soil/backbone.hpp"
 #include "sazare/cases/tables.hpp"
 
 /// A checked case of method mps, as plain data. All values in SI units; every member is one key of the case file.
@@ -38,7 +39,7 @@ struct ParticleRegion {
   std::string group;                        // mesh: its volume
 };
 
-struct Ground {
+struct Ground : SoilBackbone {
   std::string name;
   std::vector<std::string> regions;
   Real density = 0;            // kg/m3
@@ -51,6 +52,9 @@ struct Ground {
   Real dilation_angle = 0;    // degrees
   std::optional<Real> tensile_strength;  // Pa; without it the tip of the strength
   Real rupture_strain = 0;
+
+  Real shear_modulus() const { return density * s_wave_velocity * s_wave_velocity; }  // Pa
+  bool fails() const { return yields || degrades; }
 };
 
 struct SideBoundary {

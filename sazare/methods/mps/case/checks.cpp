@@ -7,6 +7,7 @@
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/cases/format/structure_check.hpp"
 #include "sazare/cases/format/suggest.hpp"
+#include "sazare/cases/soil/checks.hpp"
 #include "sazare/methods/mps/case/fields.hpp"
 #include "sazare/methods/mps/case/format.hpp"
 
@@ -131,11 +132,13 @@ void check_materials(const CheckContext& context, const MpsCase& mps) {
                              "name it in the regions of one of the [[materials]]");
 }
 
-void check_strengths(const CheckContext& context, const MpsCase& mps) {
+void check_strengths(const CheckContext& context, MpsCase& mps) {
   const auto list = context.entries_of("materials");
   for (std::size_t i = 0; i < list.size(); ++i) {
     const Entry& entry = list[i];
-    const Ground& ground = mps.materials[i];
+    Ground& ground = mps.materials[i];
+    check_soil(context, entry, {ground.shear_modulus(), entry.gives("density") && ground.s_wave_velocity > 0, ground.yields},
+               ground);
     if (!ground.yields) {
       check_keys(context, entry, "a material without cohesion", {},
                  {"friction_angle", "dilation_angle", "tensile_strength", "rupture_strain"},
@@ -235,9 +238,9 @@ void check_mps(const CheckContext& context, MpsCase& mps) {
   if (mps.particles.dimension == 3 && mps.particles.rotation == RotationRemoval::mean_angle)
     context.problems.error(particles.place("rotation"), "rotation \"mean_angle\" is for 2-D", "in 3-D use \"mean_rotation\"");
   if (mps.particles.rotation == RotationRemoval::mean_angle &&
-      std::ranges::any_of(mps.materials, [](const Ground& ground) { return ground.yields; }))
+      std::ranges::any_of(mps.materials, [](const Ground& ground) { return ground.fails(); }))
     context.problems.error(particles.place("rotation"), "rotation \"mean_angle\" is for elastic ground",
-                           "with a cohesion use \"mean_rotation\"");
+                           "with a cohesion or a backbone use \"mean_rotation\"");
   check_regions(context, mps);
   check_materials(context, mps);
   check_strengths(context, mps);

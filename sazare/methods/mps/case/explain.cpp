@@ -28,6 +28,8 @@ std::string explain(const MpsCase& mps) {
                              ground.name, number(ground.density), number(ground.s_wave_velocity), number(ground.p_wave_velocity),
                              number(ground.damping_ratio), fmt::join(ground.regions, ", ")));
   for (const Ground& ground : mps.materials)
+    if (ground.degrades) text += line("soil", ground.name + ":" + soil_text(ground, ground.shear_modulus()));
+  for (const Ground& ground : mps.materials)
     if (ground.yields)
       text += line("strength",
                    fmt::format("{}: cohesion {} Pa, friction angle {} deg, dilation angle {} deg, tension cut-off {}, links "

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sazare/cases/fields.hpp"
+#include "sazare/cases/soil/fields.hpp"
 #include "sazare/methods/mps/case/case.hpp"
 
 /// Which member of a case of method mps belongs to which key (see fields.hpp).
@@ -74,6 +75,7 @@ void visit_fields(Visitor& visit, Ground& ground) {
       ground.s_wave_velocity = ground.p_wave_velocity * std::sqrt(square);
   }
   visit("damping_ratio", ground.damping_ratio);
+  visit_backbone(visit, ground);
   ground.yields = visit.has("cohesion", ground.yields);
   if (!ground.yields) return;
   visit("cohesion", ground.cohesion);

@@ -2,6 +2,8 @@
 
 #include "sazare/cases/case_keys.hpp"
 #include "sazare/cases/format/usual_values.hpp"
+#include "sazare/cases/law_keys.hpp"
+#include "sazare/cases/soil/keys.hpp"
 #include "sazare/methods/mps/case/format.hpp"
 
 namespace sazare::cases {
@@ -88,7 +90,7 @@ constexpr std::array region_keys{
         .sentence = "Physical volume group of the mesh that is filled."},
 };
 
-constexpr std::array material_keys{
+constexpr std::array own_material_keys{
     Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name of the material in messages."},
     Key{.name = "regions", .type = Type::names, .need = Need::required, .sentence = "Regions that consist of the material."},
     Key{.name = "density",
@@ -159,6 +161,8 @@ constexpr std::array material_keys{
                     "friction, but no "
                     "cohesion and no links."},
 };
+
+constexpr auto material_keys = joined(own_material_keys, soil_keys);
 
 constexpr std::array boundary_keys{
     Key{.name = "side",

@@ -37,6 +37,8 @@ inline constexpr std::array particles = {
     Column{"support", "-", "0 free, 1 held, 2 moved by a prescribed motion, 3 on a viscous boundary, 4 on a free-field side"}};
 inline constexpr std::array failed_particles = {Column{"plastic_shear_strain", "-", "equivalent plastic shear strain"},
                                                 Column{"broken_fraction", "-", "share of its links that are broken"}};
+inline constexpr std::array degraded_particles = {
+    Column{"shear_strain_max", "-", "largest shear strain so far, of soil with a backbone; only where there is any"}};
 
 /// In the manifest, `results` by name: an interface, which scripts of users read.
 inline constexpr std::array figures = {

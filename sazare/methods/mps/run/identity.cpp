@@ -4,12 +4,13 @@
 
 #include "sazare/methods/mps/case/format.hpp"
 #include "sazare/observe/hash.hpp"
+#include "sazare/runs/curves_hash.hpp"
 
 namespace sazare::runs {
 
 RunIdentity identify(const cases::MpsCase& mps, const std::string& filling) {
   cases::MpsCase plain = mps;
-  const std::string records = records_hash(plain.motions);
+  const std::string records = records_hash(plain.motions) + curves_hash(plain.materials);
   for (cases::ParticleRegion& region : plain.regions) region.file = region.file.filename();
   plain.output = {};
   return {cases::write_resolved(plain), filling, records, program_text()};

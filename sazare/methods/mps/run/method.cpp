@@ -33,7 +33,7 @@ FolderTables tables_of_mps() {
           .gauges = {{"`gauges.csv` of `mps`", {columns::place_motion}}},
           .files = {},
           .snapshots = {{"`particles` of `mps`", {columns::mps::particles}},
-                        {"of ground that fails also", {columns::mps::failed_particles}}}};
+                        {"of ground that fails also", {columns::mps::failed_particles, columns::mps::degraded_particles}}}};
 }
 
 }  // namespace

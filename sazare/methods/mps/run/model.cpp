@@ -39,15 +39,21 @@ state::Particles<D> make_particles(const cases::MpsCase& mps, const Filling<D>& 
   return particles;
 }
 
+std::vector<laws::OverlayPart> parts_of(const cases::Ground& ground) {
+  if (!ground.degrades) return {};
+  return laws::OverlayModel<4>({ground.shear_modulus(), 0}, cases::backbone_of(ground, ground.shear_modulus())).parts();
+}
+
 methods::mps::StrengthOfGround strength_of(const cases::Ground& ground) {
   constexpr Real degree = std::numbers::pi / 180;
-  const Real mu = ground.density * ground.s_wave_velocity * ground.s_wave_velocity;
+  const Real mu = ground.shear_modulus();
   return {ground.yields,
           laws::MohrCoulomb::make(ground.cohesion, ground.friction_angle * degree, ground.dilation_angle * degree,
                                   ground.tensile_strength),
           {mu, ground.density * ground.p_wave_velocity * ground.p_wave_velocity - 2 * mu},
           ground.density,
-          ground.rupture_strain};
+          ground.rupture_strain,
+          parts_of(ground)};
 }
 
 /// Adds random velocities, which do not depend on the number of threads.
@@ -153,7 +159,7 @@ MpsParts<D> make_parts(const cases::CaseFile& file) {
 
 template <int D>
 std::unique_ptr<particles::ParticleForces<D>> MpsParts<D>::forces(const cases::MpsCase& mps, Real step) const {
-  if (std::ranges::none_of(mps.materials, [](const cases::Ground& ground) { return ground.yields; }))
+  if (std::ranges::none_of(mps.materials, [](const cases::Ground& ground) { return ground.fails(); }))
     return std::make_unique<methods::mps::ElasticForces<D>>(links,
                                                             static_cast<methods::mps::RotationRemoval>(mps.particles.rotation));
   std::vector<methods::mps::StrengthOfGround> grounds;

@@ -163,12 +163,16 @@ void MpsRecord<D>::write_snapshot(Real time, const state::FreedomColumns<D>& vel
   }
   std::vector<observe::CellData> data =
       observe::cell_data(columns::mps::particles, displacement, speed, change, model_->filling.region, model_->material, size, supported());
-  std::vector<Real> slip, broken;
+  std::vector<Real> slip, broken, sheared;
   if (const auto* failing = model_->failing) {
     const state::Column& all = failing->strength().slip();
     slip.assign(all.data(), all.data() + particles.size());
     for (std::size_t i = 0; i < particles.size(); ++i) broken.push_back(failing->broken_fraction(static_cast<Index>(i)));
     for (const observe::CellData& one : observe::cell_data(columns::mps::failed_particles, slip, broken)) data.push_back(one);
+    if (const auto& degrading = failing->strength().degrading(); !degrading.empty()) {
+      for (std::size_t i = 0; i < particles.size(); ++i) sheared.push_back(degrading.peak(static_cast<Index>(i)));
+      for (const observe::CellData& one : observe::cell_data(columns::mps::degraded_particles, sheared)) data.push_back(one);
+    }
   }
   files_.add_snapshot({observe::Grid::Cell::vertex, place, number, data, time});
 }

@@ -134,7 +134,7 @@ template <int D>
 std::string cost_text(const cases::MpsCase& mps, Real particles, const RunClocks& clocks) {
   constexpr Real elastic_in_plane = 30e6, elastic_in_space = 4e6, share_with_strength = 0.4, history_columns = 20,
                  gauge_columns = 6, bytes_of_particle = 150;
-  const bool yields = std::ranges::any_of(mps.materials, [](const cases::Ground& ground) { return ground.yields; });
+  const bool yields = std::ranges::any_of(mps.materials, [](const cases::Ground& ground) { return ground.fails(); });
   return runs::cost_text({.work = particles * static_cast<Real>(clocks.steps()),
                           .work_per_second = (D == 2 ? elastic_in_plane : elastic_in_space) * (yields ? share_with_strength : 1),
                           .columns = history_columns + gauge_columns * static_cast<Real>(mps.gauges.size()),
