@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sazare/cases/format/problems.hpp"
-#include "sazare/laws/backbone_curve.hpp"
+#include "sazare/laws/soil/backbone_curve.hpp"
 
 namespace sazare::cases {
 

@@ -8,8 +8,8 @@
 #include <variant>
 
 #include "sazare/laws/cyclic_contraction.hpp"
-#include "sazare/laws/overlay_plasticity.hpp"
 #include "sazare/laws/principal_return.hpp"
+#include "sazare/laws/soil/overlay_plasticity.hpp"
 #include "sazare/laws/water/water_pressure.hpp"
 #include "sazare/methods/fem/voigt.hpp"
 

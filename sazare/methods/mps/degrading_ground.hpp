@@ -1,6 +1,6 @@
 #pragma once
 
-/// Ground that degrades with strain (laws/overlay_pack.hpp): what its particles remember, by packs.
+/// Ground that degrades with strain (laws/soil/overlay_pack.hpp): what its particles remember, by packs.
 ///
 /// Links are elastic and relax to the plastic strain e_p of their particles. With the mean plastic strain p of the parts by their
 /// stiffness,
@@ -18,8 +18,8 @@
 #include <optional>
 
 #include "sazare/laws/mohr_coulomb.hpp"
-#include "sazare/laws/overlay_pack.hpp"
-#include "sazare/laws/overlay_plasticity.hpp"
+#include "sazare/laws/soil/overlay_pack.hpp"
+#include "sazare/laws/soil/overlay_plasticity.hpp"
 #include "sazare/methods/mps/link_forces.hpp"
 
 namespace sazare::methods::mps {

@@ -1,4 +1,4 @@
-#include "sazare/laws/backbone_curve.hpp"
+#include "sazare/laws/soil/backbone_curve.hpp"
 
 #include <gtest/gtest.h>
 

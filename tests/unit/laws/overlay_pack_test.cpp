@@ -1,10 +1,10 @@
-#include "sazare/laws/overlay_pack.hpp"
+#include "sazare/laws/soil/overlay_pack.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "sazare/laws/overlay_plasticity.hpp"
+#include "sazare/laws/soil/overlay_plasticity.hpp"
 
 namespace sazare::laws {
 namespace {

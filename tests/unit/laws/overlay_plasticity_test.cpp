@@ -1,4 +1,4 @@
-#include "sazare/laws/overlay_plasticity.hpp"
+#include "sazare/laws/soil/overlay_plasticity.hpp"
 
 #include <gtest/gtest.h>
 

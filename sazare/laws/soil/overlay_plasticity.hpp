@@ -19,8 +19,8 @@
 
 #include <span>
 
-#include "sazare/laws/backbone_curve.hpp"
 #include "sazare/laws/mohr_coulomb.hpp"
+#include "sazare/laws/soil/backbone_curve.hpp"
 
 namespace sazare::laws {
 
