@@ -64,6 +64,18 @@ std::string records_hash(std::vector<cases::Motion>& motions) {
   return observe::to_hex(records.value());
 }
 
+std::string curves_hash(std::span<cases::SoilBackbone* const> soils) {
+  observe::Hash hash;
+  bool any = false;
+  for (cases::SoilBackbone* soil : soils) {
+    if (soil->modulus_reduction.empty()) continue;
+    any = true;
+    soil->modulus_reduction = soil->modulus_reduction.filename();
+    for (const auto* column : {&soil->reduction.strain, &soil->reduction.ratio}) hash.add(std::as_bytes(std::span(*column)));
+  }
+  return any ? observe::to_hex(hash.value()) : "";
+}
+
 std::string program_text() {
   return fmt::format("Sazare {}, commit {}, GCC {}, records of {} and {} bytes", version, commit, __VERSION__,
                      sizeof(state::Motion<3>), sizeof(state::Inertia<3>));

@@ -3,9 +3,11 @@
 /// What a checkpoint belongs to: only the same case, on the same mesh, in the same program gives the same bits.
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "sazare/cases/soil/backbone.hpp"
 #include "sazare/cases/tables.hpp"
 #include "sazare/observe/checkpoint.hpp"
 
@@ -20,6 +22,16 @@ struct RunIdentity {
 
 /// Hash of all records, whose folders may change between the parts of a run: of their files only the names stay.
 std::string records_hash(std::vector<cases::Motion>& motions);
+
+/// The same of the tables of soils; empty where there are none.
+std::string curves_hash(std::span<cases::SoilBackbone* const> soils);
+
+template <class Material>
+std::string curves_hash(std::vector<Material>& materials) {
+  std::vector<cases::SoilBackbone*> soils;
+  for (Material& material : materials) soils.push_back(&material);
+  return curves_hash(std::span<cases::SoilBackbone* const>(soils));
+}
 
 /// What the program says of itself.
 std::string program_text();

@@ -1,7 +1,6 @@
 #include "sazare/methods/fem/run/identity.hpp"
 
 #include "sazare/methods/fem/case/format.hpp"
-#include "sazare/runs/curves_hash.hpp"
 
 namespace sazare::runs {
 

@@ -4,7 +4,6 @@
 
 #include "sazare/methods/mps/case/format.hpp"
 #include "sazare/observe/hash.hpp"
-#include "sazare/runs/curves_hash.hpp"
 
 namespace sazare::runs {
 
