@@ -83,7 +83,7 @@ RUNS = {
     "seawall-two-programs": Run(sides_until(0.5), two_programs=True),
     "shaking-table": Run(),
     "slope-free-field": Run(until(2)),
-    "slope-hits-wall": Run(sides_until(1.2)),  # the ground arrives at 1.02 s
+    "slope-hits-wall": Run(sides_until(1)),  # the ground arrives at 0.86 s
     "slope-el-centro": Run(until(6, "particles.spacing=1")),
     "soil-column-el-centro": Run(until(12.4)),
     "sphere-on-beam": Run(),
