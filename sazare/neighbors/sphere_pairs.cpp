@@ -122,7 +122,8 @@ private:
       const std::size_t before = tile.other.size(), own_class = number_[class_[i]];
       for (std::size_t c = 0; c <= own_class; ++c) {
         around[c].move_to(cells_[c], own.centre(), cells_.size() == 1 && cells_[c].stands_in_order);
-        const std::span found(near.data(), around[c].find_near(spheres_, box_, own, margin_, near));
+        const std::size_t count = around[c].find_near(spheres_, box_, own, margin_, near);  // which moves what it enlarges
+        const std::span found(near.data(), count);
         if (c == own_class && !is_wanted(number)) continue;
         if (c == own_class)
           std::ranges::copy_if(found, std::back_inserter(tile.other), [&](Index j) { return j > sphere; });
