@@ -139,8 +139,8 @@ void check_shape(const SurfaceShape& shape) {
   const auto dimension = static_cast<std::size_t>(shape.dimension);
   const std::size_t nodes = shape.nodes.size() / dimension;
   if (nodes == 0 || shape.faces.empty()) refuse("it has no nodes, or no faces");
-  if (!(shape.window > 0)) refuse(fmt::format("its windows are {} s long", shape.window));
-  if (!(shape.width > 0)) refuse(fmt::format("it is {} m wide", shape.width));
+  if (!(shape.window > 0 && std::isfinite(shape.window))) refuse(fmt::format("its windows are {} s long", shape.window));
+  if (!(shape.width > 0 && std::isfinite(shape.width))) refuse(fmt::format("it is {} m wide", shape.width));
   for (std::size_t i = 0; i < shape.faces.size(); ++i) {
     const std::int32_t node = shape.faces[i];
     if (node < 0 || static_cast<std::size_t>(node) >= nodes)

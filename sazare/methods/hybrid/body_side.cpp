@@ -10,13 +10,14 @@ namespace sazare::methods::hybrid {
 
 namespace {
 
-constexpr Real whole = 1e-9;  // of a number of steps
+constexpr Real whole = 1e-9;         // of a number of steps
+constexpr Real most_steps = 0x1p53;  // beyond, every number is whole
 
 }  // namespace
 
 void WindowCourse::open(const coupling::SurfaceShape& shape, Real step, const char* bodies) {
   const Real count = std::round(shape.window / step);
-  if (count < 1 || std::abs(shape.window / step - count) > whole * count)
+  if (count < 1 || count > most_steps || std::abs(shape.window / step - count) > whole * count)
     throw UserError(
         fmt::format("the window of {:.6g} s is {:.9g} steps of the {}, of {:.6g} s each, and must be a whole "
                     "number of them",

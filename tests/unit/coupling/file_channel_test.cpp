@@ -68,6 +68,11 @@ TEST(file_channel, shapes_that_are_none) {
   shape = two_segments();
   shape.window = 0;
   EXPECT_WORDS(words(shape), "its windows are 0 s long");
+  shape.window = std::numeric_limits<Real>::infinity();
+  EXPECT_WORDS(words(shape), "its windows are inf s long");
+  shape = two_segments();
+  shape.width = std::numeric_limits<Real>::infinity();
+  EXPECT_WORDS(words(shape), "it is inf m wide");
   shape.nodes.clear();
   EXPECT_WORDS(words(shape), "it has no nodes, or no faces");
 }

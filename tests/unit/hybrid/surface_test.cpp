@@ -3,7 +3,9 @@
 #include <cmath>
 
 #include "sazare/core/error.hpp"
+#include "sazare/methods/hybrid/body_side.hpp"
 #include "sazare/parallel/threads.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tests/support/two_sides.hpp"
 
 namespace sazare::methods::hybrid {
@@ -48,6 +50,20 @@ void expect_momentum_kept(ElementShape shape, CouplingScheme scheme) {
   ASSERT_GT(totals.given.norm(), 0.5);
   EXPECT_LT((lost - totals.given).norm(), 1e-12 * lost.norm()) << test::name_of(shape);
   EXPECT_LT((gained - totals.taken).norm(), 1e-9 * gained.norm()) << test::name_of(shape);
+}
+
+TEST(surface, windows_are_whole_numbers_of_steps) {
+  WindowCourse course;
+  const auto words = [&](Real window) {
+    coupling::SurfaceShape shape;
+    shape.window = window;
+    return test::words_of<UserError>([&] { course.open(shape, 1e-3, "spheres"); });
+  };
+  EXPECT_EQ(words(5e-3), "");
+  EXPECT_EQ(course.steps(), 5);
+  EXPECT_NE(words(5.5e-3).find("must be a whole number of them"), std::string::npos);
+  EXPECT_NE(words(1e-4).find("must be a whole number of them"), std::string::npos);
+  EXPECT_NE(words(1e20).find("must be a whole number of them"), std::string::npos) << "of steps that nobody can count";
 }
 
 TEST(surface, nodes_get_the_momentum_that_bodies_lose) {
