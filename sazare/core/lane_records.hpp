@@ -169,7 +169,7 @@ inline std::array<Octet, lane_count> octets_of(const std::array<Lanes, 8>& field
 using FloatLanes = float __attribute__((vector_size(4 * lane_count)));
 using FloatPairs = float __attribute__((vector_size(8 * lane_count)));
 
-using LooseFloats = float __attribute__((vector_size(4 * lane_count), aligned(4), may_alias));  ///< at any place in memory
+using LooseFloats __attribute__((aligned(4), may_alias)) = FloatLanes;  ///< at any place in memory
 
 /// Rounded to single precision.
 inline FloatLanes single(const Lanes& numbers) {

@@ -13,7 +13,7 @@
 namespace sazare {
 
 /// So many numbers in a register, and in memory at any place. Copying byte by byte would say the same, but not every compiler
-/// makes one load or store of it.
+/// makes one load or store of it. Clang takes attributes of alignment before the sign of equality only: behind it they are lost.
 template <int Width>
 struct RegisterOf {};
 template <>
@@ -25,7 +25,7 @@ struct RegisterOf<2> {
 template <>
 struct RegisterOf<4> {
   using Reals = Real __attribute__((vector_size(32)));
-  using InMemory = Real __attribute__((vector_size(32), aligned(8), may_alias));
+  using InMemory __attribute__((aligned(8), may_alias)) = Reals;
   using Places = std::int64_t __attribute__((vector_size(32)));
   static constexpr Places places = {0, 1, 2, 3};
 
@@ -59,7 +59,7 @@ struct RegisterOf<4> {
 template <>
 struct RegisterOf<8> {
   using Reals = Real __attribute__((vector_size(64)));
-  using InMemory = Real __attribute__((vector_size(64), aligned(8), may_alias));
+  using InMemory __attribute__((aligned(8), may_alias)) = Reals;
 
   using Places = std::int64_t __attribute__((vector_size(64)));
   static constexpr Places places = {0, 1, 2, 3, 4, 5, 6, 7};

@@ -87,7 +87,7 @@ private:
     Real power(const state::MeanMotion<D>& mean) const {
       if constexpr (D == 3) {  // as whole records; what stands behind a motion is anything
         using Row = RegisterOf<8>;
-        const auto row = [](const Real* from) { return *reinterpret_cast<const Row::InMemory*>(from); };
+        const auto row = [](const Real* from) -> Row::Reals { return *reinterpret_cast<const Row::InMemory*>(from); };
         static_assert(sizeof(state::MeanMotion<3>) == sizeof(Record));
         return Row::sum(row(numbers.data()) * first_of<6, 8>(row(mean.velocity.data())));
       } else {
