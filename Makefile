@@ -28,6 +28,7 @@ test: setup ## run everything that guards the project
 	@scripts/test
 
 sanitize: setup ## run the C++ tests and every case, shortened, with the address and undefined-behaviour sanitizers
+	@scripts/setup sanitizers || echo "sanitize: Clang could not be installed; another compiler may take much longer"
 	@scripts/sanitize $(JOBS)
 
 fuzz: build ## change the files of small cases at random and look whether each is answered with a message (MUTANTS=2000 SEED=1)

@@ -33,12 +33,17 @@ add_library(sazare::options ALIAS sazare_options)
 target_include_directories(sazare_options INTERFACE
   "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/generated")
 target_link_libraries(sazare_options INTERFACE Eigen3::Eigen fmt::fmt OpenMP::OpenMP_CXX)
-# Warnings of GCC 12 that are off because it gives them for its own headers: those of uninitialized values for vector
-# intrinsics (GCC bug 105593, on some processors only), -Wrestrict and -Wstringop-overflow for the sum of two strings (GCC bug
-# 105651).
 target_compile_options(sazare_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wno-psabi -Wno-uninitialized -Wno-maybe-uninitialized -Wno-restrict
-  -Wno-stringop-overflow -ffp-contract=off -fno-math-errno -fno-semantic-interposition)
+  -Wall -Wextra -Wpedantic -Wshadow -Wno-psabi -ffp-contract=off -fno-math-errno -fno-semantic-interposition)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # Warnings of GCC 12 that are off because it gives them for its own headers: those of uninitialized values for vector
+  # intrinsics (GCC bug 105593, on some processors only), -Wrestrict and -Wstringop-overflow for the sum of two strings (GCC bug
+  # 105651).
+  target_compile_options(sazare_options INTERFACE
+    -Wno-uninitialized -Wno-maybe-uninitialized -Wno-restrict -Wno-stringop-overflow)
+elseif(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  target_compile_options(sazare_options INTERFACE -Wno-deprecated-declarations)  # which it gives for std::stable_sort of GCC 12
+endif()
 if(SAZARE_WARNINGS_AS_ERRORS)
   target_compile_options(sazare_options INTERFACE -Werror)
 endif()
@@ -163,6 +168,12 @@ function(sazare_module module)
   endforeach()
 endfunction()
 
+# How long a test may take [s]; what sanitizers watch takes many times as long.
+set(SAZARE_TEST_SECONDS 1800)
+if(SAZARE_SANITIZE)
+  set(SAZARE_TEST_SECONDS 7200)
+endif()
+
 # sazare_test(<name> SOURCES file ... DEPENDS module ... [LIBRARIES target ...])
 # One GoogleTest program <name>_test; each of its tests is a test of ctest, run in the source folder's root.
 # Idle threads wait passively: several tests run at a time, and threads that spin would take the others' cores.
@@ -188,5 +199,5 @@ function(sazare_test module)
     TEST_PREFIX "${name}."
     WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"
     DISCOVERY_MODE PRE_TEST
-    PROPERTIES TIMEOUT 1200 ENVIRONMENT OMP_WAIT_POLICY=passive)
+    PROPERTIES TIMEOUT ${SAZARE_TEST_SECONDS} ENVIRONMENT OMP_WAIT_POLICY=passive)
 endfunction()
