@@ -2,9 +2,10 @@
 
 /// An elastic beam with a plastic hinge at either end, each without extent.
 ///
-///     m_i = K_ij (t_j - p_j),   K = E I/L (4 2; 2 4)        m  moment at an end [N m]     t  slope of the end against the chord
-///     [-] |m_i| <= M_i;   dp_i along m_i, where |m_i| = M_i     M  plastic moment [N m]       p  plastic rotation, the memory
-///     [-]
+///     m_i = K_ij (t_j - p_j),   K = E I/L (4 2; 2 4)        m  moment at an end [N m]
+///     |m_i| <= M_i;   dp_i along m_i, where |m_i| = M_i     M  plastic moment [N m]
+///                                                           t  slope of the end against the chord [-]
+///                                                           p  plastic rotation, the memory [-]
 ///
 /// The one-component model of Giberson, J. Struct. Div. ASCE 95 (1969) 137-157, here in vectors across the beam, so that a round
 /// section in space yields in every direction alike. Moments do not interact with axial force, shear and torsion. The return is

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "case_folder.hpp"
 #include "sazare/methods/fem/case/format.hpp"
 #include "sazare/methods/mps/case/format.hpp"
@@ -64,13 +66,18 @@ TEST(SoilCase, TakesATableInPercent) {
   EXPECT_NEAR(stronger.stress(0.1), 60e3, 1e-6);
 }
 
+/// Keys of a soil with each backbone, and with either default of the hyperbola.
+const std::array soils_of_each_backbone{
+    "backbone = \"hyperbolic\"\nreference_strain = 1e-3\n",
+    "backbone = \"hyperbolic\"\nshear_strength = 4e4\n",
+    "backbone = \"ramberg_osgood\"\nreference_strain = 1e-3\nramberg_osgood_exponent = 2.5\nshear_strength = 50e3\n",
+    "backbone = \"table\"\nmodulus_reduction = \"curve.csv\"\nshear_strength = 60e3\n",
+};
+
 TEST(SoilCase, ReadsBackToTheSameCase) {
   const CaseFolder folder;
   folder.write("curve.csv", table);
-  for (const std::string keys :
-       {"backbone = \"hyperbolic\"\nreference_strain = 1e-3\n", "backbone = \"hyperbolic\"\nshear_strength = 4e4\n",
-        "backbone = \"ramberg_osgood\"\nreference_strain = 1e-3\nramberg_osgood_exponent = 2.5\nshear_strength = 50e3\n",
-        "backbone = \"table\"\nmodulus_reduction = \"curve.csv\"\nshear_strength = 60e3\n"}) {
+  for (const std::string keys : soils_of_each_backbone) {
     const std::string resolved = write_resolved(folder.read(soil_case(keys)).as<FemCase>());
     EXPECT_EQ(write_resolved(folder.read(resolved).as<FemCase>()), resolved);
   }
@@ -106,10 +113,7 @@ end = 1
 TEST(SoilCase, IsTheSameOfParticles) {
   const CaseFolder folder;
   folder.write("curve.csv", table);
-  for (const std::string keys :
-       {"backbone = \"hyperbolic\"\nreference_strain = 1e-3\n", "backbone = \"hyperbolic\"\nshear_strength = 4e4\n",
-        "backbone = \"ramberg_osgood\"\nreference_strain = 1e-3\nramberg_osgood_exponent = 2.5\nshear_strength = 50e3\n",
-        "backbone = \"table\"\nmodulus_reduction = \"curve.csv\"\nshear_strength = 60e3\n"}) {
+  for (const std::string keys : soils_of_each_backbone) {
     const MpsCase mps = folder.read(particle_case(keys)).as<MpsCase>();
     const auto curve = backbone_of(mps.materials[0], mps.materials[0].shear_modulus()), expected = curve_of(folder, keys);
     for (const Real strain : {1e-5, 1e-3, 1e-1}) EXPECT_NEAR(curve.stress(strain), expected.stress(strain), 1e-6);
