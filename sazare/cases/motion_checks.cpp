@@ -113,10 +113,12 @@ void check_record(const CheckContext& context, const Entry& entry, Motion& motio
 
 /// Names of motions that anything of the case follows.
 std::vector<std::string> followed_motions(const CheckContext& context) {
+  std::vector<std::string_view> keys(motion_name_keys.begin(), motion_name_keys.end());
+  keys.push_back("motion");
   std::vector<std::string> names;
   for (const Table& table : context.schema)
     for (const Entry& entry : context.entries_of(table.name))
-      for (const std::string_view key : motion_name_keys)
+      for (const std::string_view key : keys)
         if (entry.exists() && find_key(table, key) != nullptr && entry.gives(key))
           if (const auto* name = entry.value->find(key)->text()) names.push_back(*name);
   return names;

@@ -228,6 +228,28 @@ class Boundary(Part):
 
 
 @dataclass(kw_only=True, eq=False)
+class IncidentWave(Part):
+    """Plane wave that comes in at an angle, through all viscous and free-field boundaries."""
+
+    kind: Literal["sv", "sh", "p"]
+    """sv: shear wave whose motion lies in the vertical plane in which it travels, towards x and down for an angle above 0; sh:
+    shear wave whose motion is horizontal and across that plane (3-D only); p: compression wave.
+    """
+    motion: str
+    """Name of one of the [[motions]]: that of the ground in the incident wave alone, along its direction of motion, where the
+    wave reaches the base first. Half of what outcropping rock does, if the wave comes up vertically.
+    """
+    angle: float
+    """Angle from the vertical at which the wave travels in the ground at the base; above 0 towards x, or along the azimuth. Below
+    the critical angle of all layers. [deg] At least -89 and at most 89.
+    """
+    azimuth: float | None = None
+    """Horizontal direction in which the wave travels, from x towards y. [deg] (3-D only) Default: 0.0. At least -180 and at most
+    180.
+    """
+
+
+@dataclass(kw_only=True, eq=False)
 class Ty(Part):
     """Opposite sides whose nodes have their displacement in common."""
 
@@ -442,6 +464,7 @@ class Case(AnyCase):
         "damping": Damping,
         "motions": Motion,
         "boundaries": Boundary,
+        "incident_wave": IncidentWave,
         "ties": Ty,
         "loads": Load,
         "water_pressures": WaterPressure,
@@ -468,6 +491,8 @@ class Case(AnyCase):
     """Ground motions: wavelets, sines, records and functions of time."""
     boundaries: list[Boundary] = field(default_factory=list)
     """Boundary conditions of groups; all other nodes are free."""
+    incident_wave: IncidentWave | None = None
+    """Plane wave that comes in at an angle, through all viscous and free-field boundaries."""
     ties: list[Ty] = field(default_factory=list)
     """Opposite sides whose nodes have their displacement in common."""
     loads: list[Load] = field(default_factory=list)

@@ -65,6 +65,7 @@ NodalColumn FemStepper<D>::incoming(Real now) const {
           force[number<D>(face.nodes[i], axis)] += part[static_cast<Eigen::Index>(i) * D + axis];
     }
   }
+  if (const auto* inclined = free_field_->inclined()) inclined->add_incoming(force, now);
   return force;
 }
 
@@ -93,13 +94,14 @@ Vector<D> FemStepper<D>::viscous_force(std::size_t boundary) const {
       }
     for (const Index node : one.nodes) sum[axis] += reaction_[number<D>(node, axis)];
   }
+  if (const auto* inclined = free_field_->inclined()) sum += inclined->force_of_boundary(boundary, time());
   return sum;
 }
 
 template <int D>
 Vector<D> FemStepper<D>::side_force(std::size_t which) const {
   const auto& side = supports_.sides[which];
-  Vector<D> sum = free_field_->force(which, state_.velocity);
+  Vector<D> sum = free_field_->force(which, state_.velocity, time());
   for (const Index node : side.nodes) sum[side.across] += reaction_[number<D>(node, side.across)];
   return sum;
 }
@@ -110,7 +112,7 @@ void FemStepper<D>::move_sides() {
   if (free_field_->is_empty()) return;
   free_field_->advance();
   state_.sides_before = std::move(state_.sides);
-  state_.sides = free_field_->motion();
+  state_.sides = free_field_->motion(static_cast<Real>(state_.steps + 1) * rules_.step);
   state_.columns = free_field_->states();
 }
 

@@ -31,6 +31,19 @@ Eigen::VectorXd values_between(std::span<const QuadraturePoint> points, Real pla
   return values;
 }
 
+/// The force of dashpots on a body with these velocities, where what is beyond them stands still [N].
+template <int D>
+Vector<D> braking(const std::vector<ViscousFace>& faces, const NodalColumn& velocity) {
+  Vector<D> sum = Vector<D>::Zero();
+  for (const ViscousFace& face : faces)
+    for (Eigen::Index column = 0; column < face.impedance.cols(); ++column) {
+      const Real speed = velocity[number<D>(face.nodes[static_cast<std::size_t>(column / D)], static_cast<int>(column % D))];
+      for (Eigen::Index row = 0; row < face.impedance.rows(); ++row)
+        sum[static_cast<int>(row % D)] -= face.impedance(row, column) * speed;
+    }
+  return sum;
+}
+
 }  // namespace
 
 /// A column, and where the side beside it looks at it.
@@ -96,18 +109,6 @@ public:
         for (int axis = 0; axis < D; ++axis)
           motion.force[number<D>(face_nodes[i], axis)] += point.values[static_cast<Eigen::Index>(i)] * by_area[axis];
     }
-  }
-
-  /// The force of the dashpots on a body with these velocities, where the column stood still [N].
-  Vector<D> braking(const NodalColumn& velocity) const {
-    Vector<D> sum = Vector<D>::Zero();
-    for (const ViscousFace& face : side_.faces)
-      for (Eigen::Index column = 0; column < face.impedance.cols(); ++column) {
-        const Real speed = velocity[number<D>(face.nodes[static_cast<std::size_t>(column / D)], static_cast<int>(column % D))];
-        for (Eigen::Index row = 0; row < face.impedance.rows(); ++row)
-          sum[static_cast<int>(row % D)] -= face.impedance(row, column) * speed;
-      }
-    return sum;
   }
 
   void columns(Archive& archive) {
@@ -209,12 +210,15 @@ private:
 };
 
 template <int D>
-FreeField<D>::FreeField(const Body<D>& body, const std::vector<FreeFieldSide<D>>& sides, const FemRules& rules)
-    : impedance_(body.pattern()) {
-  for (const FreeFieldSide<D>& side : sides) {
-    columns_.push_back(std::make_unique<Column>(body, side, rules));
+FreeField<D>::FreeField(const Body<D>& body, const Supports<D>& supports, const FemRules& rules) : impedance_(body.pattern()) {
+  for (const FreeFieldSide<D>& side : supports.sides) {
+    faces_.push_back(side.faces);
     for (const ViscousFace& face : side.faces) impedance_.add(face.nodes, face.impedance);
   }
+  if (supports.wave)
+    inclined_ = std::make_unique<InclinedField<D>>(body, supports, rules.step, rules.damping);
+  else
+    for (const FreeFieldSide<D>& side : supports.sides) columns_.push_back(std::make_unique<Column>(body, side, rules));
 }
 
 template <int D>
@@ -236,21 +240,22 @@ void FreeField<D>::advance() {
 }
 
 template <int D>
-SideMotion FreeField<D>::motion() const {
+SideMotion FreeField<D>::motion(Real time) const {
   const NodalColumn none(impedance_.pattern().nodes() * D, 0);
   SideMotion motion{none, none, none};
   for (const auto& column : columns_) column->add_to(motion);
+  if (inclined_) inclined_->add_to(motion, time);
   return motion;
 }
 
 template <int D>
-Vector<D> FreeField<D>::force(std::size_t side, const NodalColumn& velocity) const {
+Vector<D> FreeField<D>::force(std::size_t side, const NodalColumn& velocity, Real time) const {
+  const Vector<D> dashpots = braking<D>(faces_[side], velocity);
+  if (inclined_) return dashpots + inclined_->force_of_side(side, time);
   const NodalColumn none(impedance_.pattern().nodes() * D, 0);
   SideMotion motion{none, none, none};
   columns_[side]->add_to(motion);
-  Vector<D> sum = columns_[side]->braking(velocity);
-  for (std::size_t i = 0; i < motion.force.size(); ++i) sum[static_cast<int>(i % D)] += motion.force[i];
-  return sum;
+  return dashpots + sum_by_axis<D>(motion.force);
 }
 
 template <int D>

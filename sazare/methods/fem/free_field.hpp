@@ -12,9 +12,12 @@
 /// What it carries at rest, s_0 n where the body is level as well, is found with the body's own equilibrium. Columns do not feel
 /// the body. Zienkiewicz, Bicanic and Shen, in Advances in Computational Nonlinear Mechanics (1989) 109-138; Nielsen, 2006 ABAQUS
 /// Users' Conference 359-376; FLAC3D, Dynamic Analysis, free-field boundaries.
+///
+/// Where a wave comes in at an angle there are no columns: the wave in level elastic layers stands in their place.
 
 #include <memory>
 
+#include "sazare/methods/fem/inclined_waves/inclined_field.hpp"
 #include "sazare/methods/fem/stepper.hpp"
 
 namespace sazare::methods::fem {
@@ -23,10 +26,12 @@ namespace sazare::methods::fem {
 template <int D>
 class FreeField {
 public:
-  FreeField(const Body<D>& body, const std::vector<FreeFieldSide<D>>& sides, const FemRules& rules);
+  FreeField(const Body<D>& body, const Supports<D>& supports, const FemRules& rules);
   ~FreeField();
 
-  bool is_empty() const { return columns_.empty(); }
+  bool is_empty() const { return columns_.empty() && !inclined_; }
+  /// Of a wave that comes in at an angle; null where there is none.
+  const InclinedField<D>* inclined() const { return inclined_.get(); }
   /// Of the dashpots between body and columns [N s/m].
   const BlockMatrix<D>& impedance() const { return impedance_; }
 
@@ -34,10 +39,10 @@ public:
   void start();
   void advance();
 
-  /// On the nodes of all sides, 0 on all others.
-  SideMotion motion() const;
-  /// The force of a side beyond what it carries at rest, on a body with these velocities [N].
-  Vector<D> force(std::size_t side, const NodalColumn& velocity) const;
+  /// On the nodes of all sides, 0 on all others, at the time to which the columns have gone.
+  SideMotion motion(Real time) const;
+  /// The force of a side beyond what it carries at rest, on a body with these velocities at that time [N].
+  Vector<D> force(std::size_t side, const NodalColumn& velocity, Real time) const;
 
   std::vector<FemState<D>> states() const;
   void restore(const std::vector<FemState<D>>& states);
@@ -46,7 +51,9 @@ public:
 private:
   class Column;
 
+  std::vector<std::vector<ViscousFace>> faces_;  ///< of each side
   BlockMatrix<D> impedance_;
+  std::unique_ptr<InclinedField<D>> inclined_;
   std::vector<std::unique_ptr<Column>> columns_;
 };
 

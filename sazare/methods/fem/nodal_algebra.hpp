@@ -34,6 +34,13 @@ NodalColumn product(const BlockMatrix<D>& matrix, const NodalColumn& x) {
   return result;
 }
 
+template <int D>
+Vector<D> sum_by_axis(const NodalColumn& column) {
+  Vector<D> sum = Vector<D>::Zero();
+  for (std::size_t i = 0; i < column.size(); ++i) sum[static_cast<int>(i % D)] += column[i];
+  return sum;
+}
+
 /// to += factor from
 inline void add(NodalColumn& to, Real factor, const NodalColumn& from) {
   for (std::size_t i = 0; i < to.size(); ++i) to[i] += factor * from[i];

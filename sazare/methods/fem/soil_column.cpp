@@ -267,7 +267,7 @@ void stand_on_base(FreeFieldSide<D>& side, const Supports<D>& supports) {
       }
   for (const ViscousBoundary<D>& boundary : supports.viscous)
     if (reaches(boundary, side.levels.front())) {
-      own.viscous.push_back({0, {foot_face<D>(side.column->body)}, {0}, boundary.motion});
+      own.viscous.push_back({0, {}, {foot_face<D>(side.column->body)}, {0}, boundary.motion});
       carried.fill(true);
     }
   for (std::size_t axis = 0; axis < D; ++axis)

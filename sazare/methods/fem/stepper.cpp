@@ -28,7 +28,7 @@ FemStepper<D>::FemStepper(std::unique_ptr<methods::fem::Body<D>> body, methods::
       rayleigh_(body_->damping_matrix(rules.damping)),
       viscous_(body_->pattern()),
       damping_(rayleigh_),
-      free_field_(std::make_unique<FreeField<D>>(*body_, supports_.sides, rules)),
+      free_field_(std::make_unique<FreeField<D>>(*body_, supports_, rules)),
       state_(body_->pattern()) {
   const NodalColumn none(body_->freedoms(), 0);
   state_.displacement = state_.velocity = state_.acceleration = state_.internal = state_.balance = none;
@@ -111,7 +111,7 @@ void FemStepper<D>::start() {
   elastic_at_start_ = body_->energies(state_.displacement, state_.displacement, state_.memory, state_.memory).elastic;
   state_.work = {};
   free_field_->start();
-  if (!free_field_->is_empty()) state_.sides = free_field_->motion();
+  if (!free_field_->is_empty()) state_.sides = free_field_->motion(time());
   state_.sides_before = state_.sides;
   state_.columns = free_field_->states();
   Trial now{state_.displacement, state_.velocity, state_.acceleration, state_.internal, external(0), state_.memory};
@@ -367,7 +367,7 @@ void FemStepper<D>::columns(Archive& archive) {
   state_.work = work.at(0);
   if (!archive.reading()) return;
   state_.columns = free_field_->states();
-  if (!free_field_->is_empty()) state_.sides = free_field_->motion();
+  if (!free_field_->is_empty()) state_.sides = free_field_->motion(time());
   restore(FemState<D>(state_));
 }
 

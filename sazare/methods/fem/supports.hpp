@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "sazare/geometry/element_mesh.hpp"
 #include "sazare/laws/base_motion.hpp"
 #include "sazare/laws/ground_motion.hpp"
+#include "sazare/methods/fem/inclined_waves/incident_wave.hpp"
 #include "sazare/methods/fem/node_pattern.hpp"
 
 namespace sazare::methods::fem {
@@ -33,7 +35,8 @@ struct ViscousFace {
 template <int D>
 struct ViscousBoundary {
   Index boundary = 0;  ///< of the case
-  std::vector<ViscousFace> faces;
+  std::vector<geometry::MeshElement> surface;  ///< the faces of the body
+  std::vector<ViscousFace> faces;              ///< c of the same faces
   std::vector<Index> nodes;     ///< whose force at rest is this boundary's
   std::array<Index, D> motion;  ///< v_in by axis, or Support::no_motion
 };
@@ -96,6 +99,7 @@ struct Supports {
   std::vector<Support> held;
   std::vector<ViscousBoundary<D>> viscous;
   std::vector<FreeFieldSide<D>> sides;
+  std::optional<IncidentWave> wave;  ///< at an angle, through all viscous boundaries and free-field sides
   std::vector<Index> clamped;  ///< nodes that do not turn, where beams meet them
   std::vector<Load> loads;
   std::vector<StillWater<D>> waters;

@@ -20,9 +20,16 @@ cases::CaseFile slope(std::vector<std::string> settings = {}) {
   return registry::read_case("cases/slope-free-field/case.toml", settings);
 }
 
-TEST(free_field_run, in_parts_gives_the_bits_of_one_run) {
+/// The record as a wave that comes at an angle from below the valley.
+std::vector<std::string> inclined(std::vector<std::string> more = {}) {
+  more.insert(more.begin(), {R"(boundaries.0={group="base", kind="viscous"})",
+                             R"(incident_wave={kind="sv", motion="el-centro", angle=15})"});
+  return more;
+}
+
+void expect_same_bits_in_parts(const std::vector<std::string>& settings) {
   const TemporaryFolder folder;
-  registry::run_case(slope(), {folder / "whole", Begin::fresh, true, nullptr});
+  registry::run_case(slope(settings), {folder / "whole", Begin::fresh, true, nullptr});
   int parts = 1;
   for (;; ++parts) {
     std::atomic<bool> stop = false;
@@ -32,7 +39,7 @@ TEST(free_field_run, in_parts_gives_the_bits_of_one_run) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
       stop = true;
     });
-    if (!registry::run_case(slope(), {folder / "parts", Begin::resume, true, &stop}).stopped) break;
+    if (!registry::run_case(slope(settings), {folder / "parts", Begin::resume, true, &stop}).stopped) break;
   }
   EXPECT_GT(parts, 1);
   const nlohmann::json one = read_manifest(folder / "whole"), many = read_manifest(folder / "parts");
@@ -41,6 +48,10 @@ TEST(free_field_run, in_parts_gives_the_bits_of_one_run) {
             test::without_last_column(read_text(folder / "parts/history.csv")));
   EXPECT_GT(one["results"]["energy_plastic"].get<double>(), 0);
 }
+
+TEST(free_field_run, in_parts_gives_the_bits_of_one_run) { expect_same_bits_in_parts({}); }
+
+TEST(free_field_run, of_a_wave_at_an_angle_in_parts_gives_the_bits_of_one_run) { expect_same_bits_in_parts(inclined()); }
 
 std::string refused(const std::vector<std::string>& settings) {
   return words_of<UserError>([&] { registry::check_case(slope(settings)); });
@@ -51,6 +62,23 @@ TEST(free_field_run, refuses_sides_beside_which_no_column_can_stand) {
   EXPECT_NE(flat.find("is not vertical and across x"), std::string::npos) << flat;
   const std::string floating = refused({"boundaries.0.group=hill side", "boundaries.2.group=valley side", "gravity.settle=true"});
   EXPECT_NE(floating.find("has no base: nothing carries it along x at 0 m"), std::string::npos) << floating;
+}
+
+TEST(free_field_run, refuses_waves_that_cannot_come_in) {
+  const std::string flat = refused(inclined({"incident_wave.angle=40"}));
+  EXPECT_NE(flat.find("the critical angle is 32.3 deg"), std::string::npos) << flat;
+  const std::string soft = refused(
+      inclined({R"(materials.2={name="soil", regions=["soil"], density=1850.0, youngs_modulus=192e6, poisson_ratio=0.3, )"
+                R"(damping_ratio=0.05, backbone="hyperbolic", reference_strain=1e-3})"}));
+  EXPECT_NE(soft.find("a wave at an angle runs through elastic layers only"), std::string::npos) << soft;
+  const std::string steep = refused(inclined({"boundaries.1.kind=viscous"}));
+  EXPECT_NE(steep.find("reaches an elevation of"), std::string::npos) << steep;
+}
+
+TEST(free_field_run, tells_how_the_wave_travels) {
+  const std::string told = registry::check_case(slope(inclined()));
+  EXPECT_NE(told.find("valley side at x = -30 m: the wave in its layers from 0 to 22 m"), std::string::npos) << told;
+  EXPECT_NE(told.find("travels along the base at 1931.85 m/s"), std::string::npos) << told;  // 500 m/s over sin 15 deg
 }
 
 TEST(free_field_run, tells_of_its_columns) {

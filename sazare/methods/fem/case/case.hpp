@@ -12,6 +12,7 @@ enum class GroupKind { fixed, roller, prescribed, viscous, free_field };
 enum class Analysis { dynamic, statics };
 enum class Drainage { drained, undrained, flow };
 enum class AddedMass { none, westergaard };
+enum class IncidentWaveKind { sv, sh, p };
 
 struct FemMesh : Mesh {
   int dimension = 2;
@@ -70,6 +71,16 @@ struct GroupBoundary {
   GroupKind kind = GroupKind::fixed;
   std::array<bool, 3> axes{false, false, false};  // of a roller, and of what is prescribed besides the motions: held
   std::array<std::string, 3> motion;              // names of motions by axis, or empty
+};
+
+/// A plane wave from below, at an angle from the vertical.
+struct FemIncidentWave {
+  IncidentWaveKind kind = IncidentWaveKind::sv;
+  std::string motion;  // empty where there is no wave
+  Real angle = 0;      // degrees
+  Real azimuth = 0;    // degrees
+
+  bool is_there() const { return !motion.empty(); }
 };
 
 /// Two opposite sides that move alike.
@@ -154,6 +165,7 @@ struct FemCase {
   Damping damping;
   std::vector<Motion> motions;
   std::vector<GroupBoundary> boundaries;
+  FemIncidentWave incident_wave;
   std::vector<FemTie> ties;
   std::vector<FemLoad> loads;
   std::vector<FemWater> waters;

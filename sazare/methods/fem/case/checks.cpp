@@ -132,6 +132,7 @@ void check_fem(const CheckContext& context, FemCase& fem) {
   check_damping(context, fem.damping, ratios);
   check_motions(context, fem.motions, fem.time.end);
   check_boundaries(context, fem);
+  check_incident_wave(context, fem);
   check_gravity(context, fem);
   check_water(context, fem);
   check_members(context, fem);

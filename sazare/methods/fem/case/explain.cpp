@@ -61,6 +61,12 @@ std::string boundary_text(const GroupBoundary& boundary) {
   return text + motion_names_text(boundary.motion, boundary.kind == GroupKind::viscous);
 }
 
+std::string wave_text(const FemIncidentWave& wave) {
+  std::string text = fmt::format("{} of {}, at {} deg from the vertical", word(wave.kind), wave.motion, number(wave.angle));
+  if (wave.azimuth != 0) text += fmt::format(" towards {} deg from x", number(wave.azimuth));
+  return text + ", through all viscous and free-field boundaries";
+}
+
 std::string water_text(const FemWater& water) {
   std::string text =
       fmt::format("{}: {} kg/m3 {} {}, level {} m", water.name, number(water.density), water.in_joint() ? "in joint" : "on",
@@ -113,6 +119,7 @@ std::string explain(const FemCase& fem) {
   if (fem.damping.f2 > 0) text += line("damping", fmt::format("at {} and {} Hz", number(fem.damping.f1), number(fem.damping.f2)));
   text += explain_motions(fem.motions, fem.time.end);
   for (const GroupBoundary& boundary : fem.boundaries) text += line("boundaries", boundary_text(boundary));
+  if (fem.incident_wave.is_there()) text += line("wave", wave_text(fem.incident_wave));
   for (const FemTie& tie : fem.ties) text += line("ties", tie.group + " moves with " + tie.opposite);
   for (const FemLoad& load : fem.loads)
     text += line("loads", fmt::format("{}: {} Pa on {}, full value after {} s", load.name, vector_text(load.traction), load.group,

@@ -35,6 +35,11 @@ struct EnumWords<AddedMass> {
 };
 
 template <>
+struct EnumWords<IncidentWaveKind> {
+  static constexpr std::array<std::string_view, 3> words{"sv", "sh", "p"};
+};
+
+template <>
 struct EnumWords<Drainage> {
   static constexpr std::array<std::string_view, 3> words{"drained", "undrained", "flow"};
 };
@@ -102,6 +107,15 @@ void visit_fields(Visitor& visit, GroupBoundary& boundary) {
   if (boundary.kind == GroupKind::roller || boundary.kind == GroupKind::prescribed) visit("axes", boundary.axes);
   if (boundary.kind != GroupKind::prescribed && boundary.kind != GroupKind::viscous) return;
   visit_motion_names(visit, boundary.motion);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, FemIncidentWave& wave) {
+  if (!visit.has("motion", wave.is_there())) return;
+  visit("kind", wave.kind);
+  visit("motion", wave.motion);
+  visit("angle", wave.angle);
+  visit("azimuth", wave.azimuth);
 }
 
 template <class Visitor>
@@ -201,6 +215,7 @@ void visit_tables(Visitor& visit, FemCase& fem) {
   visit.one("damping", fem.damping);
   visit.list("motions", fem.motions);
   visit.list("boundaries", fem.boundaries);
+  visit.one("incident_wave", fem.incident_wave);
   visit.list("ties", fem.ties);
   visit.list("loads", fem.loads);
   visit.list("water_pressures", fem.waters);

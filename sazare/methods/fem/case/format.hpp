@@ -26,6 +26,9 @@ void check_members(const CheckContext& context, const FemCase& fem);
 /// Checks of still water on faces and in joints.
 void check_water(const CheckContext& context, const FemCase& fem);
 
+/// Checks of a wave that comes in at an angle.
+void check_incident_wave(const CheckContext& context, const FemCase& fem);
+
 /// The case as TOML with every key and default written out and its unit beside it; reading it gives the same case. Files are
 /// written relative to `folder`, where the text will be saved, or as full paths when it is empty.
 std::string write_resolved(const FemCase& fem, const std::filesystem::path& folder = {});

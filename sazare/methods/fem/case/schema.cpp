@@ -13,6 +13,7 @@ constexpr std::array<std::string_view, 2> mass_kinds{"consistent", "lumped"};
 constexpr std::array<std::string_view, 2> integrations{"full", "reduced"};
 constexpr std::array<std::string_view, 5> group_kinds{"fixed", "roller", "prescribed", "viscous", "free_field"};
 constexpr std::array<std::string_view, 2> added_masses{"none", "westergaard"};
+constexpr std::array<std::string_view, 3> incident_wave_kinds{"sv", "sh", "p"};
 constexpr std::array<std::string_view, 2> analyses{"dynamic", "static"};
 
 constexpr std::string_view with_motion = "kinds prescribed and viscous only";
@@ -103,6 +104,36 @@ constexpr std::array boundary_keys{
     Key{.name = "motion_x", .type = Type::text, .note = with_motion, .sentence = "Motion along x."},
     Key{.name = "motion_y", .type = Type::text, .note = with_motion, .sentence = "Motion along y."},
     Key{.name = "motion_z", .type = Type::text, .note = with_motion, .sentence = "Motion along z."},
+};
+
+constexpr std::array incident_wave_keys{
+    Key{.name = "kind",
+        .type = Type::choice,
+        .need = Need::required,
+        .sentence = "sv: shear wave whose motion lies in the vertical plane in which it travels, towards x and down for an angle "
+                    "above 0; sh: shear wave whose motion is horizontal and across that plane (3-D only); p: compression wave.",
+        .choices = incident_wave_kinds},
+    Key{.name = "motion",
+        .type = Type::text,
+        .need = Need::required,
+        .sentence =
+            "Name of one of the [[motions]]: that of the ground in the incident wave alone, along its direction of motion, "
+            "where the wave reaches the base first. Half of what outcropping rock does, if the wave comes up vertically."},
+    Key{.name = "angle",
+        .type = Type::number,
+        .unit = "deg",
+        .range = {.low = -89, .high = 89},
+        .need = Need::required,
+        .sentence =
+            "Angle from the vertical at which the wave travels in the ground at the base; above 0 towards x, or along the "
+            "azimuth. Below the critical angle of all layers."},
+    Key{.name = "azimuth",
+        .type = Type::number,
+        .unit = "deg",
+        .range = {.low = -180, .high = 180},
+        .default_text = "0.0",
+        .note = "3-D only",
+        .sentence = "Horizontal direction in which the wave travels, from x towards y."},
 };
 
 constexpr std::array tie_keys{
@@ -275,6 +306,8 @@ constexpr std::array tables{
     Table{"damping", false, Need::optional, "Rayleigh damping: its two frequencies.", damping_keys},
     motions_table,
     Table{"boundaries", true, Need::optional, "Boundary conditions of groups; all other nodes are free.", boundary_keys},
+    Table{"incident_wave", false, Need::optional,
+          "Plane wave that comes in at an angle, through all viscous and free-field boundaries.", incident_wave_keys},
     Table{"ties", true, Need::optional, "Opposite sides whose nodes have their displacement in common.", tie_keys},
     Table{"loads", true, Need::optional, "Tractions on outer faces.", load_keys},
     Table{"water_pressures", true, Need::optional, "Pressure of still water on outer faces, and in joints.", water_keys},

@@ -15,6 +15,7 @@
 #include "sazare/methods/fem/case/case.hpp"
 #include "sazare/methods/fem/case/contraction.hpp"
 #include "sazare/methods/fem/run/drains.hpp"
+#include "sazare/methods/fem/run/incident_wave.hpp"
 #include "sazare/methods/fem/run/members.hpp"
 #include "sazare/methods/fem/run/mesh_names.hpp"
 #include "sazare/methods/fem/run/pore_checks.hpp"
@@ -113,6 +114,7 @@ public:
     supports_.drained = drained_nodes(file_, body_, names_);
     if (fem_.damping.relative_to_base) supports_.find_base();
     add_sides<D>(file_, body_, names_, supports_);
+    add_incident_wave<D>(file_, body_.mesh, supports_);
     return std::move(supports_);
   }
 
@@ -142,6 +144,7 @@ private:
     const auto beside = geometry::elements_beside(body_.mesh, group);
     std::set<Index> nodes;
     for (std::size_t i = 0; i < group.elements.size(); ++i) {
+      boundary.surface.push_back(group.elements[i]);
       boundary.faces.push_back(fem::viscous_face<D>(body_, beside[i], group.elements[i]));
       for (const Index node : boundary.faces.back().nodes)
         if (viscous_nodes_.insert(node).second) boundary.nodes.push_back(node);

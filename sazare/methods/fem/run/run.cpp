@@ -9,6 +9,7 @@
 #include "sazare/methods/fem/case/format.hpp"
 #include "sazare/methods/fem/run/held.hpp"
 #include "sazare/methods/fem/run/identity.hpp"
+#include "sazare/methods/fem/run/incident_wave.hpp"
 #include "sazare/methods/fem/run/motion_rows.hpp"
 #include "sazare/methods/fem/run/record.hpp"
 #include "sazare/methods/fem/run/sides.hpp"
@@ -139,8 +140,8 @@ std::string check(const cases::CaseFile& file, const std::filesystem::path& fold
                                   cases::counted(std::ssize(model.mesh().elements), "elements"),
                                   cases::counted(std::ssize(body.joints()), "joints"))) +
          line("mass", cases::mass_text(body.total_mass(), D == 2)) + side_lines(model.stepper->supports(), model.group_names) +
-         water_lines(*model.stepper) + second_look(file.as<cases::FemCase>(), model.mesh()) +
-         held_text(model, file.as<cases::FemCase>().time.end) +
+         incident_wave_line(model.stepper->supports()) + water_lines(*model.stepper) +
+         second_look(file.as<cases::FemCase>(), model.mesh()) + held_text(model, file.as<cases::FemCase>().time.end) +
          line("work", fmt::format("{} degrees of freedom, {} equations", model.stepper->free_freedoms(),
                                   body.is_symmetric() ? "symmetric" : "unsymmetric")) +
          line("", fmt::format("{} steps, {} per history row", clocks.steps(), clocks.steps_per_row)) +

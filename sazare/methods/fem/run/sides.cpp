@@ -95,11 +95,12 @@ std::string side_lines(const fem::Supports<D>& supports, const std::vector<std::
   std::string text;
   for (const auto& side : supports.sides) {
     const auto& mesh = side.column->body.mesh;
+    const auto layers = supports.wave ? std::string("the wave in its layers")
+                                      : "a column of " + cases::counted(std::ssize(mesh.elements), "elements");
     text += cases::line(
-        "free field",
-        fmt::format("{} at {} = {} m: a column of {} from {} to {} m", boundary_names[at(side.boundary)], "xy"[side.across],
-                    cases::short_number(mesh.nodes.front()[side.across]), cases::counted(std::ssize(mesh.elements), "elements"),
-                    cases::short_number(mesh.nodes.front()[D - 1]), cases::short_number(mesh.nodes.back()[D - 1])));
+        "free field", fmt::format("{} at {} = {} m: {} from {} to {} m", boundary_names[at(side.boundary)], "xy"[side.across],
+                                  cases::short_number(mesh.nodes.front()[side.across]), layers,
+                                  cases::short_number(mesh.nodes.front()[D - 1]), cases::short_number(mesh.nodes.back()[D - 1])));
   }
   return text;
 }
