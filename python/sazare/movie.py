@@ -8,6 +8,7 @@ from matplotlib.colors import to_hex
 
 from sazare import style
 from sazare.folders import own
+from sazare.methods import method_of
 from sazare.tables import NotARun
 from sazare.view3d import read_frames
 
@@ -81,21 +82,10 @@ def _labelled(image, text, field, colors):
     return sheet
 
 
-def write_movie(results, path, field=None, factor=None, interval=0.15):
-    """Writes the snapshots of a run as an animated GIF or WebP, by the ending of `path`; returns the path.
-
-    field: the name of a value of the report's 3-D view, such as "speed"; its first one where it is None.
-    factor: magnification of displacements; as in the 3-D view where it is None.
-    interval: time for which each frame is shown [s].
-
-    Raises NotARun where there are no snapshots or `path` is a link, ValueError where there is no such field.
-    """
+def _coloured(frames, field, factor):
+    """The pictures of a run whose snapshots the 3-D view shows. Raises ValueError where there is no such field."""
     from sazare.scenes import Layer, render
 
-    own(Path(path))
-    frames = read_frames(results)
-    if frames is None or not frames.fields:
-        raise NotARun(f"{results.path}: the run wrote no snapshots that can be drawn")
     names = [each.name for each in frames.fields]
     if field is not None and field not in names:
         raise ValueError(f"no field {field!r} in the snapshots; there are: {', '.join(names)}")
@@ -103,10 +93,43 @@ def write_movie(results, path, field=None, factor=None, interval=0.15):
     factor = frames.enlargements[-1] if factor is None else factor
     view = FixedView(frames.camera)
     options = {"scalars": "share", "cmap": frames.colors, "clim": (0.0, 1.0), "smooth_shading": False}
-    sheets = []
     for number, time in enumerate(frames.times):
         image = render(view, [Layer(_mesh(frames, number, chosen, factor), options)])
         enlarged = f", displacements × {factor:g}" if factor != 1 else ""
-        sheets.append(_labelled(image, f"{style.quantity(time, 's') if time else '0 s'}{enlarged}", chosen, frames.colors))
+        yield _labelled(image, f"{style.quantity(time, 's') if time else '0 s'}{enlarged}", chosen, frames.colors)
+
+
+def _of_figures(results, field, factor):
+    """The pictures of a method that draws every snapshot itself. Raises ValueError where a field or a factor is asked for."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from PIL import Image
+
+    if field is not None or factor is not None:
+        raise ValueError("a coupled run is drawn as it is, with the speed of its bodies: leave out --field and --enlarge")
+    for _, figure in method_of(results).moving(results):
+        canvas = FigureCanvasAgg(figure)
+        canvas.draw()
+        yield Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB")
+
+
+def write_movie(results, path, field=None, factor=None, interval=0.15):
+    """Writes the snapshots of a run as an animated GIF or WebP, by the ending of `path`; returns the path.
+
+    field: the name of a value of the report's 3-D view, such as "speed"; its first one where it is None.
+    factor: magnification of displacements; as in the 3-D view where it is None.
+    interval: time for which each frame is shown [s].
+
+    A coupled run is drawn with both sides, in true size, the bodies coloured by speed.
+
+    Raises NotARun where there are no snapshots or `path` is a link, ValueError where there is no such field.
+    """
+    own(Path(path))
+    if method_of(results).moving is not None:
+        sheets = list(_of_figures(results, field, factor))
+    else:
+        frames = read_frames(results)
+        sheets = list(_coloured(frames, field, factor)) if frames is not None and frames.fields else []
+    if not sheets:
+        raise NotARun(f"{results.path}: the run wrote no snapshots that can be drawn")
     sheets[0].save(path, save_all=True, append_images=sheets[1:], duration=int(1000 * interval), loop=0)
     return path

@@ -7,7 +7,7 @@ what a picture of a case shows before it runs. A new method is these two modules
 
 import importlib
 import tomllib
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -98,6 +98,7 @@ class Method:
     fields: cell data of the snapshots that the 3-D view and the movie colour, the first one by default: name in the file ->
         (name in words, unit). Of vectors the magnitude is shown.
     colors: the colour map of the fields (matplotlib).
+    moving: a function of Results that yields (time [s], figure) of every snapshot, of a method whose own snapshots the movie cannot draw.
     tables: a function of Results that returns the tables written beside the report: name of the file -> columns, as `write_table` takes them;
         one without columns is not written.
     """
@@ -110,6 +111,7 @@ class Method:
     snapshots: str | None = None
     fields: dict[str, tuple[str, str]] = field(default_factory=dict)
     colors: Any = field(default_factory=lambda: style.SPEED)
+    moving: Callable[[Any], Iterator[tuple[float, Any]]] | None = None
     tables: Callable[[Any], dict[str, dict]] = lambda _: {}
 
 

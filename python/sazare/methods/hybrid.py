@@ -11,6 +11,7 @@ from matplotlib.colors import Normalize
 from sazare import plot, style
 from sazare.methods import Figure, Method, Section, common, fem, method_of, spheres
 from sazare.moments import moments_of
+from sazare.snapshots import elements_once
 
 MOST_PICTURES = 4
 AMBIENT = 0.4  # share of the light that reaches sides in the shade
@@ -110,6 +111,27 @@ def _chosen(results):
     return [(meshes[i].time, meshes[i].elements, clouds[i].elements) for i in moments_of([meshes, clouds], MOST_PICTURES)]
 
 
+def moving(results):
+    """(time [s], figure) of every snapshot of both sides, with the same axes and colours."""
+    chosen = _chosen(results)
+    if not chosen:
+        return
+    meshes, clouds = results.sides["continuum"].all_snapshots, results.sides["bodies"].all_snapshots
+    top, _ = style.clipped_top(np.concatenate([_speed(cloud) for _, _, cloud in chosen]))
+    extent = _frame([mesh for _, mesh, _ in chosen], [cloud for _, _, cloud in chosen])
+    for mesh, cloud in zip(meshes, clouds, strict=False):  # a run that was stopped may lack one
+        yield mesh.time, _moment((mesh.time, elements_once(mesh), elements_once(cloud)), top, extent)
+
+
+@style.styled
+def _moment(frame, top, extent):
+    """A figure of both sides at one time."""
+    figure, panels = _in_plane([frame], top, extent) if fem.is_flat(frame[1]) else _in_space([frame], top)
+    panels[0].set_title(style.quantity(frame[0], "s") if frame[0] else "0 s")
+    style.colorbar(figure, ScalarMappable(Normalize(0.0, top), style.SPEED), list(panels), "speed of the bodies [m/s]", False, shrink=0.9)
+    return figure
+
+
 @style.styled
 def together(results):
     """Both sides at some times, the bodies coloured by speed: seen along z, or from a corner where the continuum is in space."""
@@ -127,9 +149,9 @@ def together(results):
     return figure
 
 
-def _in_plane(frames, top):
-    """A figure of both sides, seen along z."""
-    low, high = _frame([mesh for _, mesh, _ in frames], [cloud for _, _, cloud in frames])
+def _in_plane(frames, top, extent=None):
+    """A figure of both sides, seen along z; `extent`: lower and upper corner of the panels, where they are not those of the frames."""
+    low, high = extent or _frame([mesh for _, mesh, _ in frames], [cloud for _, _, cloud in frames])
     ratio = (high[1] - low[1]) / (high[0] - low[0])
     columns = 1 if ratio < FLAT else min(2, len(frames))
     rows = -(-len(frames) // columns)
@@ -253,12 +275,19 @@ def verdict(results):
     words = f"The run is complete. The energy created by the coupling is {made:.1e} of the work across the surface."
     if sides is not None and sides > max(made, common.BAD_BALANCE):
         return common.graded(sides, f"{words} The energy residual of the two sides is {sides:.1e} of it.", "use smaller steps")
-    return common.graded(made, words, 'use scheme = "automatic" or "iterative", or a shorter coupling window')
+    better = "" if 'scheme = "iterative"' in results.case_text else f'scheme = "{_next_scheme(results.case_text)}", or '
+    return common.graded(made, words, f"use {better}a shorter coupling window")
+
+
+def _next_scheme(case_text):
+    """The scheme that makes less energy than that of a case."""
+    return "iterative" if 'scheme = "automatic"' in case_text else "automatic"
 
 
 METHOD = Method(
     sections=sections,
     verdict=verdict,
+    moving=moving,
     headlines=(
         Figure("particles", "particles"),
         Figure("peak_displacement", "peak displacement", "m"),

@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 import pyvista
 from matplotlib.colors import to_rgb
+from PIL import Image
 
-from sazare import report, style
+from sazare import movie, report, style
 from sazare.methods import hybrid
 from sazare.results import Table, open_run
 
@@ -46,6 +47,21 @@ def test_both_sides_are_drawn_within_one_frame():
     figure = hybrid.together(run())
     assert figure.axes[1].get_title(loc="left") == "1 s"
     assert figure.axes[0].get_xlim() == (-0.6, 1.0)
+
+
+def test_every_snapshot_of_both_sides_is_a_frame_of_the_movie():
+    frames = list(hybrid.moving(run()))
+    assert [time for time, _ in frames] == [0.0, 1.0]
+    assert [figure.axes[0].get_title(loc="left") for _, figure in frames] == ["0 s", "1 s"]
+    assert {figure.axes[0].get_xlim() for _, figure in frames} == {(-0.6, 1.0)}
+
+
+def test_a_coupled_run_is_written_as_a_movie(tmp_path):
+    results = SimpleNamespace(**vars(run()), manifest={"method": "hybrid"}, case_text="", path=tmp_path)
+    with Image.open(movie.write_movie(results, tmp_path / "both.gif")) as written:
+        assert written.n_frames == 2
+    with pytest.raises(ValueError, match="leave out --field"):
+        movie.write_movie(results, tmp_path / "both.gif", field="speed")
 
 
 def test_a_continuum_in_space_is_drawn_from_a_corner():
@@ -90,8 +106,17 @@ def test_the_verdict_reads_the_energy_made_at_the_surface_and_both_balances(made
     table = Table({"time": np.arange(2.0), "energy_work_on_nodes": np.array([0.0, 150.0]), "energy_work_on_bodies": np.array([0.0, -200.0]),
                    "energy_coupling_error": np.array([0.0, made]), "energy_residual_continuum": np.array([0.0, residual]),
                    "energy_residual_bodies": np.zeros(2)})
-    found, sentence = hybrid.verdict(SimpleNamespace(history=table, figures={}))
+    found, sentence = hybrid.verdict(SimpleNamespace(history=table, figures={}, case_text='scheme = "impulse"'))
     assert found == tone and words in sentence
+
+
+@pytest.mark.parametrize(
+    "scheme, advice", [("lagged", 'use scheme = "automatic", or a shorter'), ("automatic", 'use scheme = "iterative", or a shorter'), ("iterative", "use a shorter")]
+)
+def test_the_verdict_advises_what_the_run_has_not_done(scheme, advice):
+    table = Table({"time": np.arange(2.0), "energy_work_on_nodes": np.array([0.0, 1.0]), "energy_work_on_bodies": np.zeros(2),
+                   "energy_coupling_error": np.array([0.0, 1.0]), "energy_residual_continuum": np.zeros(2), "energy_residual_bodies": np.zeros(2)})
+    assert advice in hybrid.verdict(SimpleNamespace(history=table, figures={}, case_text=f'scheme = "{scheme}"'))[1]
 
 
 def test_the_verdict_of_a_run_in_which_nothing_touches():

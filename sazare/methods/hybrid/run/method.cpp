@@ -20,21 +20,28 @@ std::string counted(const observe::Manifest& manifest, std::string_view name, st
   return cases::counted(static_cast<std::int64_t>(figure(manifest, name)), things);
 }
 
+bool tells(const observe::Manifest& manifest, std::string_view name) {
+  return std::ranges::any_of(manifest.results, [&](const auto& result) { return result.first == name; });
+}
+
+/// A side that another program runs is not in the manifest of this one.
+std::string continuum_text(const observe::Manifest& manifest) {
+  return tells(manifest, "elements") ? counted(manifest, "elements", "finite elements") : "a continuum in another program";
+}
+
 std::string bodies_text(const observe::Manifest& manifest) {
   for (const auto& [name, words] : {std::pair{"particles", "spheres"},
                                     {"body_elements", "rectangles"},
                                     {"blocks", "blocks"},
                                     {"ground_particles", "particles of ground"}})
-    if (std::ranges::any_of(manifest.results, [&](const auto& result) { return result.first == name; }))
-      return counted(manifest, name, words);
-  return "no bodies";
+    if (tells(manifest, name)) return counted(manifest, name, words);
+  return "bodies in another program";
 }
 
 std::string hybrid_summary(const observe::Manifest& manifest) {
   const auto number = [&](std::string_view name, int digits = 4) { return figure_text(manifest, name, digits); };
   std::string text;
-  text += fmt::format("model           {} coupled with {}\n", counted(manifest, "elements", "finite elements"),
-                      bodies_text(manifest));
+  text += fmt::format("model           {} coupled with {}\n", continuum_text(manifest), bodies_text(manifest));
   text += fmt::format("coupling        {} of {} s, {} passes in all\n", counted(manifest, "windows", "windows"), number("window"),
                       number("passes", 12));
   text += fmt::format("surface         force up to {} N, displacement up to {} m\n", number("peak_force"),
