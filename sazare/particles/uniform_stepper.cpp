@@ -66,7 +66,7 @@ void UniformStepper<D>::hold(Index particle, int freedom) {
 template <int D>
 void UniformStepper<D>::prepare_factors() {
   const Real dt = rules_.step;
-  const bool euler = rules_.integrator == Integrator::euler;
+  const bool euler = is_euler(rules_.integrator);
   memory_.resize(particles_.padded());
   drag_.resize(particles_.padded());
   for (std::size_t i = 0; i < memory_.size(); ++i) {
@@ -195,7 +195,7 @@ void UniformStepper<D>::drive() {
     const Real next = driven.factor * now[at(driven.motion)].displacement;
     // Forces that ask for velocities see that of the last step, as of all others; a kick forgets it.
     Real& velocity = particles_.velocity[axis][at(driven.particle)];
-    if (rules_.integrator != Integrator::euler) velocity = step_ > 0 ? (next - place) / rules_.step : 0;
+    if (!is_euler(rules_.integrator)) velocity = step_ > 0 ? (next - place) / rules_.step : 0;
     place = next;
   }
 }
@@ -294,15 +294,25 @@ void UniformStepper<D>::evaluate_next() {
 /// Euler's step.
 template <int D>
 void UniformStepper<D>::drift_and_kick() {
+  const bool lagged = rules_.integrator == Integrator::euler_lagged;
   for_packs(particles_.padded(), [&](std::size_t begin, std::size_t end) { drift(begin, end, rules_.step); });
+  if (lagged) kick_by_euler();
   ++step_;
   drive();
   evaluate_next();
+  if (!lagged) kick_by_euler();
+}
+
+/// By g(k) and the last known change of g: that to g(k+1), or lagged, before that is known, that from g(k-1).
+template <int D>
+void UniformStepper<D>::kick_by_euler() {
+  const bool lagged = rules_.integrator == Integrator::euler_lagged;
   for_packs(particles_.padded(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t freedom = 0; freedom < keep_.size(); ++freedom)
       for (std::size_t i = begin; i < end; ++i) {
-        const Real before = previous_[freedom][i];
-        const Real acceleration = before + memory_[i] * (elastic_[freedom][i] - before) + load_[freedom][i] + carried(freedom, i);
+        const Real present = lagged ? elastic_[freedom][i] : previous_[freedom][i];
+        const Real change = elastic_[freedom][i] - previous_[freedom][i];
+        const Real acceleration = present + memory_[i] * change + load_[freedom][i] + carried(freedom, i);
         particles_.velocity[freedom][i] = keep_[freedom][i] * particles_.velocity[freedom][i] + gain_[freedom][i] * acceleration;
       }
   });
@@ -311,7 +321,7 @@ void UniformStepper<D>::drift_and_kick() {
 template <int D>
 void UniformStepper<D>::advance() {
   forces_->go_ahead();
-  if (rules_.integrator == Integrator::euler)
+  if (is_euler(rules_.integrator))
     drift_and_kick();
   else
     kick_and_drift();
@@ -339,7 +349,7 @@ state::FreedomColumns<D> UniformStepper<D>::acceleration() const {
 template <int D>
 state::FreedomColumns<D> UniformStepper<D>::velocity() const {
   state::FreedomColumns<D> result = particles_.velocity;
-  if (rules_.integrator != Integrator::euler) {
+  if (!is_euler(rules_.integrator)) {
     const state::FreedomColumns<D> change = acceleration();
     for (std::size_t freedom = 0; freedom < keep_.size(); ++freedom)
       for (std::size_t i = 0; i < particles_.padded(); ++i) result[freedom][i] += 0.5 * rules_.step * change[freedom][i];

@@ -15,10 +15,13 @@ namespace sazare::particles {
 
 /// How a step goes, with a(x, v) the acceleration; [Yoshida2010], section 2.
 enum class Integrator {
-  verlet,    ///< x(k+1) = x(k) + (x(k) - x(k-1)) + dt^2 a(k)                            (8)
-  leapfrog,  ///< v(k+1/2) = v(k-1/2) + dt a(k), then x(k+1) = x(k) + dt v(k+1/2)        (4), (5)
-  euler,     ///< x(k+1) = x(k) + dt v(k), then v(k+1) = v(k) + dt a(x(k), v(k))         (2), (3)
+  verlet,        ///< x(k+1) = x(k) + (x(k) - x(k-1)) + dt^2 a(k)                            (8)
+  leapfrog,      ///< v(k+1/2) = v(k-1/2) + dt a(k), then x(k+1) = x(k) + dt v(k+1/2)        (4), (5)
+  euler,         ///< x(k+1) = x(k) + dt v(k), then v(k+1) = v(k) + dt a(x(k), v(k))         (2), (3)
+  euler_lagged,  ///< the same, with the damping force of the step before: (A24) as it is printed
 };
+
+inline bool is_euler(Integrator integrator) { return integrator == Integrator::euler || integrator == Integrator::euler_lagged; }
 
 struct UniformRules {
   Real step = 0;  ///< dt [s]
@@ -46,8 +49,8 @@ struct WorkByCause {
 
 /// The damping of a particle follows from its ratio h. Its part a2 h K v is a2 h (g(k) - g(k-1))/dt, g the elastic acceleration:
 /// one stored vector per particle, (A24). In Euler's step, where x(k+1) is known before v(k+1), it is the difference g(k+1) -
-/// g(k), which is that of the velocity v(k). The part a1 h (v - v_b), v_b the velocity of the base at the kick, and dashpots of
-/// supports take the mean of the velocities before and after the kick.
+/// g(k), which is that of the velocity v(k); lagged, it is g(k) - g(k-1), that of v(k-1). The part a1 h (v - v_b), v_b the
+/// velocity of the base at the kick, and dashpots of supports take the mean of the velocities before and after the kick.
 ///
 /// Work of a force of the kick from v(k-1/2) to v(k+1/2) is its mean over two kicks times the displacement between them. With m
 /// v(k-1/2) v(k+1/2)/2 as kinetic energy the energy balance of linear forces then closes to round-off at any step.
@@ -122,6 +125,7 @@ private:
   void kick(std::size_t tile, std::size_t begin, std::size_t end);
   void find_even_tiles();
   void drift_and_kick();
+  void kick_by_euler();
   void drift(std::size_t begin, std::size_t end, Real factor);
   void turn(std::size_t begin, std::size_t end);
   void set_loads();
@@ -136,7 +140,7 @@ private:
   Real carried(std::size_t freedom, std::size_t i) const { return drag_[i] * base_velocity_[freedom]; }
 
   bool is_damped() const;
-  bool has_energy_balance() const { return rules_.integrator != Integrator::euler; }
+  bool has_energy_balance() const { return !is_euler(rules_.integrator); }
   Real velocity_after(std::size_t freedom, std::size_t i) const;
   Real velocity_after(const particles::DrivenFreedom& driven) const;
   void remember_supports();

@@ -26,6 +26,10 @@ class Particles(Part):
     """How rigid rotation is removed from the deformation of a link: by the mean of the two rotations, or by the mean angle (2-D
     only). Default: "mean_rotation".
     """
+    rotation_torque: Literal["half", "whole"] | None = None
+    """Torque of a link on each of its particles: half of its arm times its force, which keeps the angular momentum, or the whole,
+    for comparisons: as with half the moment of inertia, elastic ground only. Default: "half".
+    """
 
 
 @dataclass(kw_only=True, eq=False)
@@ -253,6 +257,10 @@ class Time(Part):
     """Ratio of the step to the predicted stability limit where no step is given. Default: 0.9. Greater than 0 and less than 1."""
     integrator: Literal["verlet", "leapfrog", "euler"] | None = None
     """Time integration scheme. Default: "verlet"."""
+    euler_damping: Literal["present", "lagged"] | None = None
+    """Rate of the elastic forces by which Rayleigh damping acts in Euler's step: the present one, or lagged by a step, for
+    comparisons. (integrator euler only) Default: "present".
+    """
     history_interval: float | None = None
     """Time between rows of the histories; the end is a whole multiple of it. [s] (default: about end/200) Greater than 0."""
     snapshot_interval: float | None = None

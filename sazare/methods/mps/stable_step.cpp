@@ -18,12 +18,17 @@ Real euler_limit(Real square, Real mass_rate, Real lag) {
   return critical < 0 ? damping / square : 4 / (damping + std::sqrt(critical));
 }
 
+Real euler_lagged_limit(Real square, Real mass_rate, Real lag) {
+  const Real damping = mass_rate + lag * square;
+  return damping / (square * (1 + lag * damping));
+}
+
 }  // namespace
 
 StableStep with_outside_springs(const StableStep& without, Real square) {
   const Real own = without.frequency * without.frequency, all = own + square;
   const Real lag = std::max((4 / own - without.verlet * without.verlet) / (2 * without.verlet), Real{0});  // of the mean ratio
-  return {verlet_limit(all, lag * own / all), 0, std::sqrt(all)};
+  return {.verlet = verlet_limit(all, lag * own / all), .frequency = std::sqrt(all)};
 }
 
 template <int D>
@@ -47,6 +52,8 @@ StableStep stable_step(const state::Particles<D>& particles, const LinkTable<D>&
   const auto ratios = std::minmax_element(particles.damping_ratio.begin(), particles.damping_ratio.begin() + particles.count);
   const Real least = damping.stiffness_time * *ratios.first, most = damping.stiffness_time * *ratios.second;
   result.euler = euler_limit(square, damping.mass_rate * *ratios.first, least);
+  result.euler_lagged = std::min(euler_lagged_limit(square, damping.mass_rate * *ratios.first, least),
+                                 euler_lagged_limit(square, damping.mass_rate * *ratios.second, most));
   // Between the limits for the least and the most damping in all particles.
   Real low = verlet_limit(square, most), high = verlet_limit(square, least);
   while (high - low > tolerance * high) {

@@ -11,7 +11,9 @@
 /// positive root of w^2 dt^2 + 2 w^2 a2 h dt = 4, w^2 the largest eigenvalue of A. Damping in proportion to mass and viscous
 /// boundaries act on the mean of two velocities, which such a motion does not have: they leave the limit as it is.
 ///
-/// Euler's step is stable while |1 + s dt| <= 1 for both roots of s^2 + (a1 h + a2 h w^2) s + w^2 = 0, for every w.
+/// Euler's step is stable while |1 + s dt| <= 1 for both roots of s^2 + (a1 h + a2 h w^2) s + w^2 = 0, for every w. With the
+/// damping force of the step before, b = a2 h and c = a1 h + b w^2, Jury's conditions for z (z - 1)^2 + dt a1 h z (z - 1) + dt b
+/// w^2 (z - 1) + dt^2 w^2 z = 0 give dt < c/(w^2 (1 + b c)).
 
 #include "sazare/laws/rayleigh_damping.hpp"
 #include "sazare/methods/mps/link_table.hpp"
@@ -23,6 +25,7 @@ namespace sazare::methods::mps {
 struct StableStep {
   Real verlet = 0;     ///< limit of Verlet and leapfrog [s]
   Real euler = 0;      ///< limit of Euler [s]; 0 without damping
+  Real euler_lagged = 0;  ///< of Euler with the damping force of the step before [s]; 0 without damping
   Real frequency = 0;  ///< largest angular frequency of the undamped model [rad/s]
 };
 

@@ -68,6 +68,8 @@ TEST(Schema, ChoicesAreInTheOrderOfTheEnums) {
   expect_same_words<BoundaryKind>("boundaries", "kind");
   expect_same_words<ParticleFit>("particles", "fit", mps_schema());
   expect_same_words<RotationRemoval>("particles", "rotation", mps_schema());
+  expect_same_words<RotationTorque>("particles", "rotation_torque", mps_schema());
+  expect_same_words<EulerDamping>("time", "euler_damping", mps_schema());
   expect_same_words<RegionShape>("regions", "shape", mps_schema());
   expect_same_words<MotionShape>("motions", "type", mps_schema());
   expect_same_words<laws::MotionQuantity>("motions", "quantity", mps_schema());

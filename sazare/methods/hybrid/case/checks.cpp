@@ -96,6 +96,9 @@ void check_ground_surface(const CheckContext& context, const HybridCase& hybrid)
   if (ground.time.integrator == Integrator::euler)
     refuse(*hybrid.bodies, "time.integrator", "ground of a hybrid case cannot take Euler's steps, which have no energy balance",
            "set integrator = \"verlet\"");
+  if (ground.particles.rotation_torque == RotationTorque::whole)
+    refuse(*hybrid.bodies, "particles.rotation_torque", "the torque of ground that meets a surface keeps its angular momentum",
+           "set rotation_torque = \"half\"");
 }
 
 void check_surface(const CheckContext& context, const HybridCase& hybrid) {

@@ -15,6 +15,8 @@ namespace sazare::cases {
 
 enum class ParticleFit { exact, inside };
 enum class RotationRemoval { mean_rotation, mean_angle };
+enum class RotationTorque { half, whole };
+enum class EulerDamping { present, lagged };
 enum class RegionShape { rectangle, polygon, mesh };
 enum class Side { left, right, bottom, top, front, back, all };
 enum class SideExtent { plane, surface };
@@ -27,6 +29,7 @@ struct ParticleRules {
   ParticleFit fit = ParticleFit::exact;
   std::array<bool, 3> periodic{false, false, false};
   RotationRemoval rotation = RotationRemoval::mean_rotation;
+  RotationTorque rotation_torque = RotationTorque::half;
 };
 
 struct ParticleRegion {
@@ -82,6 +85,10 @@ struct Noise {
   int seed = 1;
 };
 
+struct MpsTime : UniformTime {
+  EulerDamping euler_damping = EulerDamping::present;
+};
+
 struct MpsCase {
   std::string title;
   ParticleRules particles;
@@ -94,7 +101,7 @@ struct MpsCase {
   GroundGravity gravity;
   Noise noise;
   std::vector<Gauge> gauges;
-  UniformTime time;
+  MpsTime time;
   Output output;
 };
 

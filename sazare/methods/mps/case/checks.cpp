@@ -241,6 +241,13 @@ void check_mps(const CheckContext& context, MpsCase& mps) {
       std::ranges::any_of(mps.materials, [](const Ground& ground) { return ground.fails(); }))
     context.problems.error(particles.place("rotation"), "rotation \"mean_angle\" is for elastic ground",
                            "with a cohesion or a backbone use \"mean_rotation\"");
+  if (mps.particles.rotation_torque == RotationTorque::whole &&
+      std::ranges::any_of(mps.materials, [](const Ground& ground) { return ground.fails(); }))
+    context.problems.error(particles.place("rotation_torque"), "rotation_torque \"whole\" is for elastic ground",
+                           "with a cohesion or a backbone use \"half\"");
+  if (const Entry time = context.entries_of("time").front();
+      time.has("euler_damping") && time.is_sound("integrator") && mps.time.integrator != Integrator::euler)
+    context.problems.error(time.place("euler_damping"), "euler_damping is for integrator euler", "remove it");
   check_regions(context, mps);
   check_materials(context, mps);
   check_strengths(context, mps);

@@ -18,6 +18,14 @@ struct EnumWords<RotationRemoval> {
   static constexpr std::array<std::string_view, 2> words{"mean_rotation", "mean_angle"};
 };
 template <>
+struct EnumWords<RotationTorque> {
+  static constexpr std::array<std::string_view, 2> words{"half", "whole"};
+};
+template <>
+struct EnumWords<EulerDamping> {
+  static constexpr std::array<std::string_view, 2> words{"present", "lagged"};
+};
+template <>
 struct EnumWords<RegionShape> {
   static constexpr std::array<std::string_view, 3> words{"rectangle", "polygon", "mesh"};
 };
@@ -41,6 +49,13 @@ void visit_fields(Visitor& visit, ParticleRules& particles) {
   visit("fit", particles.fit);
   visit("periodic", particles.periodic);
   visit("rotation", particles.rotation);
+  visit("rotation_torque", particles.rotation_torque);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, MpsTime& time) {
+  visit_fields(visit, static_cast<UniformTime&>(time));
+  if (visit.has("euler_damping", time.integrator == Integrator::euler)) visit("euler_damping", time.euler_damping);
 }
 
 template <class Visitor>

@@ -15,6 +15,8 @@ constexpr std::array<std::string_view, 3> shapes{"rectangle", "polygon", "mesh"}
 constexpr std::array<std::string_view, 7> sides{"left", "right", "bottom", "top", "front", "back", "all"};
 constexpr std::array<std::string_view, 2> extents{"plane", "surface"};
 constexpr std::array<std::string_view, 5> side_kinds{"fixed", "roller", "prescribed", "viscous", "free_field"};
+constexpr std::array<std::string_view, 2> rotation_torques{"half", "whole"};
+constexpr std::array<std::string_view, 2> euler_dampings{"present", "lagged"};
 constexpr std::array<std::string_view, 3> integrators{"verlet", "leapfrog", "euler"};
 
 constexpr std::string_view two_of_three = "exactly two of s_wave_velocity, p_wave_velocity and poisson_ratio";
@@ -53,6 +55,13 @@ constexpr std::array particle_keys{
         .sentence = "How rigid rotation is removed from the deformation of a link: by the mean of the two rotations, or by the "
                     "mean angle (2-D only).",
         .choices = removals},
+    Key{.name = "rotation_torque",
+        .type = Type::choice,
+        .default_text = "\"half\"",
+        .sentence =
+            "Torque of a link on each of its particles: half of its arm times its force, which keeps the angular momentum, or "
+            "the whole, for comparisons: as with half the moment of inertia, elastic ground only.",
+        .choices = rotation_torques},
 };
 
 constexpr std::array region_keys{
@@ -264,6 +273,14 @@ constexpr std::array time_keys{
         .default_text = "\"verlet\"",
         .sentence = "Time integration scheme.",
         .choices = integrators},
+    Key{.name = "euler_damping",
+        .type = Type::choice,
+        .default_text = "\"present\"",
+        .note = "integrator euler only",
+        .sentence = "Rate of the elastic forces by which Rayleigh damping acts in Euler's step: the present one, or lagged by a "
+                    "step, for "
+                    "comparisons.",
+        .choices = euler_dampings},
     history_interval_key,
     snapshot_interval_key,
     strict_key,

@@ -25,8 +25,7 @@ public:
 
   FoundLimit run() {
     const auto predicted = parts_.predict();
-    const bool euler = file_.as<cases::MpsCase>().time.integrator == cases::Integrator::euler;
-    found_.predicted = euler ? predicted.euler : predicted.verlet;
+    found_.predicted = limit_of(predicted, file_.as<cases::MpsCase>().time);
     found_.particles = parts_.particles.count;
     Real fastest = 0;
     for (const cases::Ground& ground : file_.as<cases::MpsCase>().materials) fastest = std::max(fastest, ground.p_wave_velocity);

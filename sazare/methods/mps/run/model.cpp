@@ -89,8 +89,8 @@ void check_limit(const cases::CaseFile& file, Real limit) {
 /// The step of a run, which divides the history interval, or the shorter windows of a coupling.
 template <int D>
 Real choose_step(const cases::CaseFile& file, const MpsModel<D>& model, const std::optional<MpsCoupling>& coupling) {
-  const cases::UniformTime& time = file.as<cases::MpsCase>().time;
-  const Real limit = model.stable_step(time.integrator);
+  const cases::MpsTime& time = file.as<cases::MpsCase>().time;
+  const Real limit = model.stable_step(time);
   check_limit(file, limit);
   if (time.step) return *time.step;
   if (!(limit > 0))
@@ -103,8 +103,8 @@ Real choose_step(const cases::CaseFile& file, const MpsModel<D>& model, const st
 /// Refuses a step above the limit, and warns of one that is close to it.
 template <int D>
 std::string check_step(const cases::CaseFile& file, const MpsModel<D>& model) {
-  const cases::UniformTime& time = file.as<cases::MpsCase>().time;
-  const Real limit = model.stable_step(time.integrator);
+  const cases::MpsTime& time = file.as<cases::MpsCase>().time;
+  const Real limit = model.stable_step(time);
   const std::string what =
       fmt::format("the step of {} s is {} times the predicted limit of {} s", cases::short_number(model.step, 4),
                   cases::short_number(model.step / limit, 4), cases::short_number(limit, 4));
@@ -140,6 +140,8 @@ MpsParts<D> lay_out(const cases::MpsCase& mps, Filling<D> filling, const Site<D>
     parts.material.push_back(static_cast<Index>(made_of - mps.materials.begin()));
   }
   parts.particles = make_particles<D>(mps, parts.filling, parts.material);
+  if (mps.particles.rotation_torque == cases::RotationTorque::whole)  // twice the torque turns as half the inertia does
+    for (Real& inverse : parts.particles.inverse_inertia) inverse *= 2;
   parts.links = methods::mps::make_links<D>(parts.filling.sites, mps.particles.spacing, mps.particles.influence, period);
   if (mps.damping.f2 > 0) parts.damping = laws::RayleighDamping::make(mps.damping.f1, mps.damping.f2);
   return parts;
@@ -173,7 +175,10 @@ std::unique_ptr<particles::ParticleForces<D>> MpsParts<D>::forces(const cases::M
 template <int D>
 std::unique_ptr<particles::UniformStepper<D>> MpsParts<D>::stepper(const cases::MpsCase& mps, Real step,
                                                                    std::unique_ptr<particles::ParticleForces<D>> forces) const {
-  const particles::UniformRules rules{step, static_cast<particles::Integrator>(mps.time.integrator), damping};
+  auto integrator = static_cast<particles::Integrator>(mps.time.integrator);
+  if (integrator == particles::Integrator::euler && mps.time.euler_damping == cases::EulerDamping::lagged)
+    integrator = particles::Integrator::euler_lagged;
+  const particles::UniformRules rules{step, integrator, damping};
   return std::make_unique<particles::UniformStepper<D>>(particles, std::move(forces), supports, rules);
 }
 

@@ -23,6 +23,12 @@ struct MpsCoupling {
   Real friction = 0;  ///< between ground and surface [-]
 };
 
+/// The limit of the integrator of a case [s].
+inline Real limit_of(const methods::mps::StableStep& limit, const cases::MpsTime& time) {
+  if (time.integrator != cases::Integrator::euler) return limit.verlet;
+  return time.euler_damping == cases::EulerDamping::lagged ? limit.euler_lagged : limit.euler;
+}
+
 template <int D>
 struct MpsModel {
   Filling<D> filling;
@@ -38,9 +44,7 @@ struct MpsModel {
   methods::mps::FreeFieldForces<D>* free_field = nullptr;   ///< the stepper's forces, where there are free-field sides
 
   /// The predicted limit of the case's integrator [s].
-  Real stable_step(cases::Integrator integrator) const {
-    return integrator == cases::Integrator::euler ? limit.euler : limit.verlet;
-  }
+  Real stable_step(const cases::MpsTime& time) const { return limit_of(limit, time); }
 };
 
 /// What a model is made of, before a step is chosen.

@@ -193,7 +193,7 @@ template <int D>
 void MpsRecord<D>::check_motion(Real time) const {
   const Real largest = model_->stepper->largest_acceleration();
   if (largest < senseless_acceleration) return;
-  const Real limit = model_->stable_step(file_->as<cases::MpsCase>().time.integrator);
+  const Real limit = model_->stable_step(file_->as<cases::MpsCase>().time);
   throw PhysicsError(fmt::format(
       "the motion of the particles diverged at t = {} s: the largest acceleration is {} m/s2, above {} m/s2\n  the step of {} s "
       "is {} times the limit of {} s predicted for small motion: set time.stability_fraction = 0.5, or check the loads",
@@ -208,7 +208,7 @@ std::vector<std::pair<std::string, observe::Figure>> MpsRecord<D>::results(std::
       {"particles", particles},
       {"steps", step},
       {"step", model_->step},
-      {"predicted_limit", model_->stable_step(file_->as<cases::MpsCase>().time.integrator)},
+      {"predicted_limit", model_->stable_step(file_->as<cases::MpsCase>().time)},
       {"largest_frequency", model_->limit.frequency},
       {"particle_steps", particles * step},
       {"wall_seconds", wall_seconds},

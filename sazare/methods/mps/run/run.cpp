@@ -54,7 +54,7 @@ struct MpsWork final : WorkDefaults {
   std::string warning() const override { return model.warning; }
   std::string words() const {
     std::string text = fmt::format("{} particles, step {} s, {} of the predicted limit", particles(), number(model.step),
-                                   number(model.step / model.stable_step(file.as<cases::MpsCase>().time.integrator), 3));
+                                   number(model.step / model.stable_step(file.as<cases::MpsCase>().time), 3));
     for (const std::string& side : model.sides) text += "\n  " + side;
     return text;
   }
@@ -148,7 +148,7 @@ std::string check(const cases::CaseFile& file, const std::optional<MpsCoupling>&
   const MpsModel<D> model = build_mps<D>(file, coupling);
   gauge_particles<D>(file, model.filling);
   const RunClocks clocks = make_clocks(file, file.as<cases::MpsCase>().time, "step", model.step);
-  const Real limit = model.stable_step(file.as<cases::MpsCase>().time.integrator);
+  const Real limit = model.stable_step(file.as<cases::MpsCase>().time);
   const auto particles = static_cast<Real>(model.filling.sites.size());
   return cases::explain(file.as<cases::MpsCase>()) +
          line("body", fmt::format("{} particles, number density {}, {}", model.filling.sites.size(),
