@@ -117,6 +117,8 @@ def ended(arguments, folder, stop_after=None):
                     raise
                 program.terminate()
                 out, err = program.communicate(timeout=10 * TRIED.time)
+                if program.returncode == -signal.SIGTERM:  # on a busy machine it may not listen yet
+                    return subprocess.CompletedProcess(arguments, INTERRUPTED, out, err or b"asked to stop")
         except subprocess.TimeoutExpired:
             program.kill()
             raise
