@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "sazare/core/morton.hpp"
+#include "sazare/core/saturated.hpp"
 
 namespace sazare::geometry {
 
@@ -29,7 +30,7 @@ std::vector<std::uint64_t> places_on_curve(const TetraMesh& mesh) {
     const Vector3 at = ((1 << bits) - 1) / size * (centre_of(mesh, element) - low);
     std::uint64_t place = 0;
     for (int axis = 0; axis < 3; ++axis)
-      place |= spread_for_three(static_cast<std::uint64_t>(std::max(at[axis], Real{0}))) << axis;
+      place |= spread_for_three(saturated<std::uint64_t>(std::clamp<Real>(at[axis], 0, (1 << bits) - 1))) << axis;
     places.push_back(place);
   }
   return places;

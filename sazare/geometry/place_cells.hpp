@@ -2,12 +2,14 @@
 
 /// Numbered places by cells, for questions which of them are near another place.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
 
+#include "sazare/core/saturated.hpp"
 #include "sazare/core/time.hpp"
 #include "sazare/core/vector.hpp"
 
@@ -32,6 +34,7 @@ public:
   }
 
 private:
+  static constexpr Real last_cell = 4e18;  // of 64-bit numbers, with room for one more
   using Cell = std::array<std::int64_t, 3>;
   struct Hash {
     std::size_t operator()(const Cell& cell) const {
@@ -47,7 +50,8 @@ private:
   Cell cell_of(const Vector3& place) const {
     Cell cell{};
     for (int axis = 0; axis < 3; ++axis)
-      cell[static_cast<std::size_t>(axis)] = static_cast<std::int64_t>(std::floor(place[axis] / cell_size_));
+      cell[static_cast<std::size_t>(axis)] =
+          saturated<std::int64_t>(std::clamp(std::floor(place[axis] / cell_size_), -last_cell, last_cell));
     return cell;
   }
 

@@ -253,7 +253,8 @@ template <class Face, class T>
 auto yields(const Face& face, const FaceMotion<T>& motion, T elastic, Real last_place) {
   const auto strength = spring_strength(face);
   const T least = face.normal * (motion.closing - last_place * maximum(motion.slope, -motion.slope));
-  return breaks(strength, least) | slips(face.shear * elastic, shear_limit(strength, least));
+  const auto broken = breaks(strength, least), slipping = slips(face.shear * elastic, shear_limit(strength, least));
+  return broken | slipping;  // of lanes or of one spring
 }
 
 /// Energy lost where a spring slips in a step: the mean of its forces before and after times the slip. That is the work of the

@@ -105,9 +105,9 @@ public:
     CellPlace place;
     for (int axis = 0; axis < 3; ++axis) {
       const auto a = static_cast<std::size_t>(axis);
-      // Far away spheres share the last cell: slow, and right.
-      place[a] = static_cast<std::int64_t>(
-          std::clamp((at[axis] - lower_[axis]) * per_width_[axis], Real{0}, static_cast<Real>(count_[a] - 1)));
+      // Far away spheres share the last cell: slow, and right. Those at no place are in the first: the greater of 0 and nan is 0.
+      const Real cell = std::max(Real{0}, (at[axis] - lower_[axis]) * per_width_[axis]);
+      place[a] = static_cast<std::int64_t>(std::min(cell, static_cast<Real>(count_[a] - 1)));
     }
     return place;
   }

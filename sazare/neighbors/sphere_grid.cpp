@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sazare/core/saturated.hpp"
+
 namespace sazare::neighbors {
 
 namespace {
@@ -17,13 +19,13 @@ std::size_t SphereGrid::Hash::operator()(const Cell& cell) const {
 
 SphereGrid::Cell SphereGrid::cell_at(const Vector3& place) {
   const auto number = [&](int axis) {
-    return static_cast<std::int64_t>(std::clamp(std::floor(place[axis]), -last_cell, last_cell));
+    return saturated<std::int64_t>(std::clamp(std::floor(place[axis]), -last_cell, last_cell));
   };
   return {number(0), number(1), number(2)};
 }
 
 void SphereGrid::place(Index item, const Vector3& centre, Real radius) {
-  const int width = static_cast<int>(std::ceil(std::log2(2 * radius)));
+  const int width = saturated<int>(std::ceil(std::log2(2 * radius)));
   const Cell cell = cell_at(centre / std::ldexp(1.0, width));
   const auto index = static_cast<std::size_t>(item);
   if (index >= cell_of_.size()) {

@@ -58,7 +58,14 @@ struct Work {
 
 // A race detector cannot see into the OpenMP library. The fence tells it that each thread's work comes after
 // what the caller did before, and before what the caller does next; the fork itself is hidden from it.
-#if defined(__SANITIZE_THREAD__)
+#if defined(__has_feature)
+#define SAZARE_SANITIZE_THREAD __has_feature(thread_sanitizer)  // as Clang says it
+#elif defined(__SANITIZE_THREAD__)
+#define SAZARE_SANITIZE_THREAD 1
+#else
+#define SAZARE_SANITIZE_THREAD 0
+#endif
+#if SAZARE_SANITIZE_THREAD
 #define SAZARE_HIDE_FORK __attribute__((no_sanitize_thread, noinline))
 #else
 #define SAZARE_HIDE_FORK

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "sazare/cases/format/number_text.hpp"
+#include "sazare/core/saturated.hpp"
 
 namespace sazare::runs {
 
@@ -18,14 +19,14 @@ constexpr auto line_interval = std::chrono::seconds(5);
 constexpr int bar_width = 24;
 
 std::string bar(Real share) {
-  const int filled = std::clamp(static_cast<int>(share * bar_width), 0, bar_width);
+  const int filled = std::clamp(saturated<int>(share * bar_width), 0, bar_width);
   return fmt::format("[{:#<{}}{:.<{}}]", "", filled, "", bar_width - filled);
 }
 
 }  // namespace
 
 std::string duration_text(Real seconds) {
-  const auto whole = static_cast<std::int64_t>(std::llround(std::max(seconds, Real{0})));
+  const auto whole = saturated<std::int64_t>(std::round(std::max(seconds, Real{0})));
   if (whole >= 3600) return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
   if (whole >= 60) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
   return fmt::format("{} s", whole);

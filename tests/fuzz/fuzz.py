@@ -1,14 +1,15 @@
 """Changes the files of small cases at random and looks whether the program answers each with a message: make fuzz.
 
-    python tests/fuzz/fuzz.py [--mutants N] [--seed S] [--only NAME]
+    python tests/fuzz/fuzz.py [--mutants N] [--seed S] [--only NAME] [--program PATH --watched]
 
 The corpus (corpus.py) has small cases, each with the files that it names. A mutant is one of them with some bytes, numbers, words or lines changed, by the seed
 and its number alone. Each is checked; one in RUN_EVERY is run, and stopped after RUN_TIME seconds. Besides, one in MESSAGE_EVERY is a message of a coupling (messages.py).
-A finding is an end by a signal, an internal error, more than TIME seconds of the processor, ten times that by the clock, or more memory than MEMORY; its files are kept
-in build/fuzz/NAME-NUMBER.
+A finding is an end by a signal, an internal error, more seconds of the processor, ten times as many by the clock, or more memory than a program that is
+tried (class Tried) may take; its files are kept in build/fuzz/NAME-NUMBER. One that sanitizers watch (--watched) may take ten times as long, and all addresses.
 """
 
 import argparse
+import os
 import random
 import re
 import resource
@@ -19,18 +20,18 @@ import subprocess
 import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
 from pathlib import Path
 
 import messages
 from corpus import CORPUS, checkpoint_of
 
 ROOT = Path(__file__).resolve().parents[2]
-COMMAND = ROOT / "build/release/apps/sazare/sazare"
 FINDINGS = ROOT / "build/fuzz"
-TIME, MEMORY = 20, 6_000_000_000  # s, B of addresses
 RUN_EVERY, RUN_TIME = 10, 2  # s
 MESSAGE_EVERY = 50
 INTERRUPTED = 130
+OUT_OF_MEMORY = ("Sanitizer: out-of-memory", "Sanitizer: allocation-size-too-big")  # where an allocation without a sanitizer throws
 NUMBERS = [
     "0", "-0", "-1", "1", "2", "7", "1e9", "1e18", "1e300", "-1e300", "1e-300", "nan", "inf", "-inf", "0x10", "1_000", "1,5", "2147483648",
     "9223372036854775807", "18446744073709551616", "99999999999999999999999999", "", "x", '"', "[", "]", "{", "}", "\n", "\t", ";", ",", "\r", "#",
@@ -78,10 +79,30 @@ def mutant(files, seed, number):
     return name, data
 
 
+@dataclass
+class Tried:
+    """The program that is tried, and what it may take."""
+
+    command: Path = ROOT / "build/release/apps/sazare/sazare"
+    time: int = 20  # s
+    memory: int = 6_000_000_000  # B of addresses
+    watched: bool = False
+
+    def watch(self):
+        """Sanitizers watch the program. What they keep account of takes time, and addresses without a limit."""
+        self.watched = True
+        self.time *= 10
+        os.environ["ASAN_OPTIONS"] = f"max_allocation_size_mb=6000:detect_leaks=1:{os.environ.get('ASAN_OPTIONS', '')}"
+
+
+TRIED = Tried()
+
+
 def limited():
     """Sets the limits of a program that is tried."""
-    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-    resource.setrlimit(resource.RLIMIT_CPU, (TIME, TIME + 1))  # others may be at work on the machine
+    if not TRIED.watched:
+        resource.setrlimit(resource.RLIMIT_AS, (TRIED.memory, TRIED.memory))
+    resource.setrlimit(resource.RLIMIT_CPU, (TRIED.time, TRIED.time + 1))  # others may be at work on the machine
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
@@ -90,12 +111,14 @@ def ended(arguments, folder, stop_after=None):
     with subprocess.Popen(arguments, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, preexec_fn=limited) as program:
         try:
             try:
-                out, err = program.communicate(timeout=stop_after or 10 * TIME)
+                out, err = program.communicate(timeout=stop_after or 10 * TRIED.time)
             except subprocess.TimeoutExpired:
                 if stop_after is None:
                     raise
                 program.terminate()
-                out, err = program.communicate(timeout=10 * TIME)
+                out, err = program.communicate(timeout=10 * TRIED.time)
+                if program.returncode == -signal.SIGTERM:  # on a busy machine it may not listen yet
+                    return subprocess.CompletedProcess(arguments, INTERRUPTED, out, err or b"asked to stop")
         except subprocess.TimeoutExpired:
             program.kill()
             raise
@@ -105,12 +128,14 @@ def ended(arguments, folder, stop_after=None):
 def verdict(done):
     """What is wrong with how a program has ended; None where its answer is a good one."""
     words = done.stderr.decode(errors="replace")
+    if any(name in words for name in OUT_OF_MEMORY):
+        return None  # the program itself would have said so
     if done.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
-        return f"more than {TIME} s of the processor"
+        return f"more than {TRIED.time} s of the processor"
     if done.returncode < 0:
         return f"signal {-done.returncode}"
     if done.returncode not in (0, 2, 3, 4, INTERRUPTED) or "report it" in words:
-        return f"exit code {done.returncode}: {words[-300:]}"
+        return f"exit code {done.returncode}: {words[:2000] if TRIED.watched else words[-300:]}"
     if done.returncode and not words.strip():
         return f"exit code {done.returncode} without a word"
     return None
@@ -120,9 +145,9 @@ def fault_of(folder, way):
     """What is wrong with the answer to a case that is checked, run or resumed; None where it is a good one."""
     arguments = {"check": ["check", "case.toml"], "run": ["run", "case.toml", "--out", "run"], "resume": ["run", "case.toml", "--out", "run", "--resume"]}[way]
     try:
-        return verdict(ended([COMMAND, *arguments, *(["--quiet"] if way != "check" else []), "--threads", "1"], folder, None if way == "check" else RUN_TIME))
+        return verdict(ended([TRIED.command, *arguments, *(["--quiet"] if way != "check" else []), "--threads", "1"], folder, None if way == "check" else RUN_TIME))
     except subprocess.TimeoutExpired:
-        return f"more than {10 * TIME} s by the clock"
+        return f"more than {10 * TRIED.time} s by the clock"
 
 
 def attempt(name, files, seed, number):
@@ -144,7 +169,7 @@ def attempt(name, files, seed, number):
 def attempt_message(seed, number):
     """Tries one changed message; returns what is wrong, or None."""
     chance = random.Random(f"{seed}-message-{number}")
-    fault = messages.attempt(COMMAND, number, lambda data: change(data, chance), verdict, limited)
+    fault = messages.attempt(TRIED.command, number, lambda data: change(data, chance), verdict, limited)
     return fault and f"message-{number}: {fault}"
 
 
@@ -155,14 +180,19 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--only", help="one case of the corpus, or messages")
     parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--program", type=Path, default=TRIED.command, help="the program that is tried")
+    parser.add_argument("--watched", action="store_true", help="sanitizers watch the program")
     chosen = parser.parse_args()
+    TRIED.command = chosen.program.resolve()
+    if chosen.watched:
+        TRIED.watch()
     corpus = {name: files for name, files in {**CORPUS, **checkpoint_of()}.items() if chosen.only in (None, name)}
     with tempfile.TemporaryDirectory(prefix="sazare-fuzz-") as place:  # seeds that are refused would hide all that comes later
         for name, files in corpus.items():
             for key, value in files.items():
                 (Path(place) / name / key).parent.mkdir(parents=True, exist_ok=True)
                 (Path(place) / name / key).write_bytes(value)
-            done = subprocess.run([COMMAND, "check", "case.toml"], cwd=Path(place) / name, capture_output=True, text=True)
+            done = subprocess.run([TRIED.command, "check", "case.toml"], cwd=Path(place) / name, capture_output=True, text=True)
             if done.returncode:
                 print(f"the seed {name} is refused:\n{done.stderr}")
                 return 1

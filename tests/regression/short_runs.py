@@ -128,8 +128,14 @@ def case_path(name, cases):
     return folder / "case.toml" if "/" not in name else folder.with_suffix(".toml")
 
 
+# How the reports of sanitizers begin.
+REPORT = re.compile(r"^.*(?:runtime error:|ERROR: \w+Sanitizer|WARNING: \w+Sanitizer)", re.MULTILINE)
+
+
 def last_words(text):
-    """The error in what a program has printed, or else its last line."""
+    """The error in what a program has printed, or else its last line; what a sanitizer reports, in full."""
+    if report := REPORT.search(text):
+        return text[report.start():]
     lines = [line for line in text.splitlines() if line.strip()]
     return next((line for line in lines if "error" in line), lines[-1] if lines else "it said nothing")
 

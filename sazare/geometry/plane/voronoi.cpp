@@ -6,6 +6,7 @@
 
 #include "sazare/core/morton.hpp"
 #include "sazare/core/random.hpp"
+#include "sazare/core/saturated.hpp"
 
 namespace sazare::geometry {
 
@@ -31,7 +32,8 @@ struct Box {
 class Buckets {
 public:
   Buckets(const Box& box, Real width) : lower_(box.lower), width_(width) {
-    for (int axis = 0; axis < 2; ++axis) size_[axis] = static_cast<std::int64_t>((box.upper[axis] - box.lower[axis]) / width) + 1;
+    for (int axis = 0; axis < 2; ++axis)
+      size_[axis] = saturated<std::int32_t>((box.upper[axis] - box.lower[axis]) / width) + std::int64_t{1};
     buckets_.resize(static_cast<std::size_t>(size_[0] * size_[1]));
   }
 
@@ -63,7 +65,7 @@ public:
 private:
   std::pair<std::int64_t, std::int64_t> place(const Vector2& point) const {
     const auto at = [&](int axis) {
-      const auto square = static_cast<std::int64_t>((point[axis] - lower_[axis]) / width_);
+      const auto square = saturated<std::int64_t>((point[axis] - lower_[axis]) / width_);
       return std::clamp<std::int64_t>(square, 0, size_[axis] - 1);
     };
     return {at(0), at(1)};
@@ -140,7 +142,7 @@ std::vector<VoronoiCell> voronoi_cells(std::span<const Vector2> nuclei, std::spa
 
 std::vector<Vector2> scatter_nuclei(std::span<const Vector2> outline, Real spacing, int seed) {
   const Box box(outline);
-  const auto count = static_cast<std::size_t>(std::max(1.0, std::round(measure(outline).area / (spacing * spacing))));
+  const auto count = saturated<std::size_t>(std::max(1.0, std::round(measure(outline).area / (spacing * spacing))));
   Random random(seed);
   Buckets buckets(box, spacing);
   std::vector<Vector2> nuclei;

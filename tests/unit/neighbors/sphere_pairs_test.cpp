@@ -4,9 +4,12 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <span>
 #include <vector>
+
+#include "sazare/neighbors/sphere_cells.hpp"
 
 namespace sazare::neighbors {
 namespace {
@@ -111,6 +114,14 @@ TEST(sphere_pairs, order_along_the_curve_holds_each_once) {
   const auto spheres = scattered(1000, 0.02, 0.05, {1, 1, 1});
   const auto order = order_by_cell(spheres, 0.01);
   EXPECT_EQ(std::set<Index>(order.begin(), order.end()).size(), spheres.size());
+}
+
+TEST(sphere_pairs, of_spheres_at_no_place_stand_in_the_first_cells) {
+  auto spheres = scattered(1000, 0.02, 0.05, {1, 1, 1});
+  const CellGrid grid({}, SphereSizes(spheres), 0.1);
+  constexpr Real none = std::numeric_limits<Real>::quiet_NaN(), infinity = std::numeric_limits<Real>::infinity();
+  EXPECT_EQ(grid.place_of({none, -1e300, -infinity}), (CellPlace{0, 0, 0}));
+  EXPECT_EQ(grid.place_of({infinity, infinity, infinity}), grid.place_of({1e9, 1e9, 1e9}));
 }
 
 TEST(sphere_pairs, of_no_spheres_are_none) { EXPECT_TRUE(find_pairs({}, 0.1).other.empty()); }

@@ -4,10 +4,8 @@
 
 #include <csignal>
 
-#if defined(__SANITIZE_ADDRESS__)
-/// HDF5 1.10 loses some memory of its own when it refuses a damaged file; asked for by the leak detector.
+/// HDF5 1.10 loses some memory of its own when it refuses a damaged file; asked for by the leak detector, where there is one.
 extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5\n"; }
-#endif
 
 namespace sazare::observe::test {
 

@@ -10,6 +10,7 @@ TEST(Progress, WritesDurationsAsPeopleSayThem) {
   EXPECT_EQ(duration_text(59.6), "1 min 00 s");
   EXPECT_EQ(duration_text(3599), "59 min 59 s");
   EXPECT_EQ(duration_text(3900), "1 h 05 min");
+  EXPECT_EQ(duration_text(1e300), "2562047788015215 h 30 min");
 }
 
 TEST(Progress, TellsShareTimeLeftRateAndSmallestStep) {

@@ -88,6 +88,15 @@ TEST(run_rectangles, refuses_a_gauge_outside) {
   EXPECT_NE(refused({"gauges.0.point=[0.5,0,0]"}).find("gauge \"middle\" is in no element"), std::string::npos);
 }
 
+TEST(run_rectangles, refuses_more_elements_than_the_machine_can_hold) {
+  const std::string squares = refused({"blocks.0.element_size=1e-10"});
+  EXPECT_NE(squares.find("the block would have 640e15 elements"), std::string::npos) << squares;
+  const std::string polygons = words_of<UserError>(
+      [] { registry::check_case(registry::read_case("cases/irregular-beam/case.toml", {"blocks.0.element_size=1e-10"})); });
+  EXPECT_NE(polygons.find("the block would have 640e15 elements"), std::string::npos) << polygons;
+  EXPECT_NE(polygons.find("this machine has"), std::string::npos) << polygons;
+}
+
 TEST(block_assembly, takes_polygons_and_images_and_turned_lattices) {
   const TemporaryFolder folder;
   std::ofstream(folder / "two.pgm") << "P2\n# two blocks\n3 2\n9\n9 5 5\n3 5 5\n";

@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "sazare/core/saturated.hpp"
+
 namespace sazare::methods::blocks {
 
 namespace {
@@ -36,7 +38,7 @@ int count_steps(const FlowingGas& gas, std::span<const GasVessel> vessels, std::
   Real rate = 0;  // with which the gas of the quickest vessel is replaced [1/s]
   for (std::size_t i = 0; i < vessels.size(); ++i)
     if (vessels[i].volume > 0) rate = std::max(rate, gas.discharge * fastest * leaves[i] / vessels[i].volume);
-  return static_cast<int>(std::clamp<Real>(std::ceil(rate * time), 1, most_flow_steps));
+  return saturated<int>(std::clamp<Real>(std::ceil(rate * time), 1, most_flow_steps));
 }
 
 void give(GasVessel& vessel, Real mass, Real energy) {

@@ -6,6 +6,7 @@
 
 #include "sazare/cases/format/counted.hpp"
 #include "sazare/cases/format/number_text.hpp"
+#include "sazare/core/saturated.hpp"
 #include "sazare/methods/hybrid/case/format.hpp"
 #include "sazare/methods/hybrid/run/columns.hpp"
 #include "sazare/methods/hybrid/run/run.hpp"
@@ -17,7 +18,7 @@ namespace sazare::runs {
 namespace {
 
 std::string counted(const observe::Manifest& manifest, std::string_view name, std::string_view things) {
-  return cases::counted(static_cast<std::int64_t>(figure(manifest, name)), things);
+  return cases::counted(saturated<std::int64_t>(figure(manifest, name)), things);
 }
 
 bool tells(const observe::Manifest& manifest, std::string_view name) {

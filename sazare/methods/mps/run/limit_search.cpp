@@ -51,9 +51,8 @@ private:
     const auto& mps = file_.as<cases::MpsCase>();
     const auto stepper = parts_.stepper(mps, step, parts_.forces(mps, step));
     stepper->start();
-    const auto steps =
-        rules_.steps > 0 ? rules_.steps : static_cast<std::int64_t>(std::ceil(file_.as<cases::MpsCase>().time.end / step));
-    while (stepper->steps() < steps) {
+    const Real steps = rules_.steps > 0 ? static_cast<Real>(rules_.steps) : mps.time.end / step;
+    while (static_cast<Real>(stepper->steps()) < steps) {
       stepper->advance();
       if (stepper->steps() % check_every == 0 && !(stepper->largest_acceleration() < rules_.divergence)) return false;
     }

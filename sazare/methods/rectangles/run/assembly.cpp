@@ -110,7 +110,8 @@ private:
     const std::vector<Vector2> outline = cases::outline_of(block);
     const Index material = material_of(block);
     const Real density = densities_[static_cast<std::size_t>(material)];
-    const auto packing = methods::rectangles::pack(nuclei_of(block, outline), outline, density * case_.elements.thickness);
+    const auto packing =
+        methods::rectangles::pack(nuclei_of(number, block, outline), outline, density * case_.elements.thickness);
     Vector2 corner = outline.front();
     for (const Vector2& point : outline) corner = corner.cwiseMin(point);
     const Real angle = radians(block.angle);
@@ -136,8 +137,11 @@ private:
     }
   }
 
-  static std::vector<Vector2> nuclei_of(const cases::SquareBlock& block, const std::vector<Vector2>& outline) {
-    if (block.nuclei.empty()) return geometry::scatter_nuclei(outline, block.element_size, block.seed);
+  std::vector<Vector2> nuclei_of(std::size_t number, const cases::SquareBlock& block, const std::vector<Vector2>& outline) const {
+    if (block.nuclei.empty()) {
+      check_count(number, geometry::measure(outline).area / block.element_size / block.element_size);
+      return geometry::scatter_nuclei(outline, block.element_size, block.seed);
+    }
     std::vector<Vector2> nuclei;
     for (const auto& place : block.places) nuclei.emplace_back(place[0], place[1]);
     geometry::sort_along_curve(nuclei, std::sqrt(geometry::measure(outline).area / static_cast<Real>(nuclei.size())));

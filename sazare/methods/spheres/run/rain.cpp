@@ -45,7 +45,7 @@ bool let_rain(const cases::SpheresCase& spheres, SpheresModel& model, const RunO
   std::fflush(stdout);
   Progress progress(options.quiet, {.smallest_step = model.steps.smallest(), .broken_joints = -1, .evaluated = "particle-steps"});
   const auto count = static_cast<std::int64_t>(model.group.size());
-  const auto patience = static_cast<std::int64_t>(waits / (rules.damping * model.steps.step));
+  const Real patience = waits / (rules.damping * model.steps.step);  // in steps
   Real first = 0, least = std::numeric_limits<Real>::infinity();
   std::int64_t calmer_at = 0;
   bool gains = true;
@@ -55,7 +55,7 @@ bool let_rain(const cases::SpheresCase& spheres, SpheresModel& model, const RunO
       least = unrest;
       calmer_at = done;
     }
-    gains = std::isfinite(unrest) && done - calmer_at < patience;
+    gains = std::isfinite(unrest) && static_cast<Real>(done - calmer_at) < patience;
     if (!gains) return false;
     // What is left falls by about the same factor in equal times.
     if (progress.is_due())

@@ -154,7 +154,7 @@ ExpectedSpeed expected_speed(const SpheresCase& spheres, const SpheresModel& mod
 /// at from slow to fast, since slower ones than the first that is off are right, but not all faster ones are off.
 Real holds_up_to(const Impact& impact, laws::ContactModel model, Real fastest) {
   const auto speed = [](int n) { return std::pow(Real{10}, n / Real{20}); };
-  int n = static_cast<int>(std::floor(20 * std::log10(1e-4 * fastest)));
+  int n = static_cast<int>(std::floor(20 * std::log10(std::max(1e-4 * fastest, std::numeric_limits<Real>::min()))));
   if (!impact.holds(model, speed(n))) return 0;
   while (speed(n + 1) < fastest && impact.holds(model, speed(n + 1))) ++n;
   return speed(n);

@@ -10,6 +10,7 @@
 #include "sazare/cases/clocks.hpp"
 #include "sazare/cases/extent.hpp"
 #include "sazare/cases/format/number_text.hpp"
+#include "sazare/core/saturated.hpp"
 #include "sazare/geometry/tetrahedron.hpp"
 #include "sazare/methods/blocks/case/case.hpp"
 
@@ -22,7 +23,7 @@ std::string seconds(Real value) { return cases::short_number(value, 3) + " s"; }
 /// The largest base step that is stable for all elements and divides the history interval.
 Real stable_base_step(const cases::Time& time, Real smallest) {
   const Real parts = std::ceil(time.history_interval / (stable_share * smallest));
-  return cases::whole_fraction(time.history_interval, static_cast<std::int64_t>(parts));
+  return cases::whole_fraction(time.history_interval, saturated<std::int64_t>(parts));
 }
 
 }  // namespace
