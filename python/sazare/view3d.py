@@ -14,6 +14,7 @@ import numpy as np
 from matplotlib.colors import to_hex
 
 from sazare.methods import method_of
+from sazare.outside import outside_of
 
 BUDGET = 8e6  # bytes of vertices and fields before compression
 FEWEST_TIMES = 6
@@ -178,10 +179,8 @@ def _triangles(grid, triangles, cell_of_triangle):
 
 def _outside(grid):
     """The surface of a grid of any cells; a point that several cells share has the colour of one of them."""
-    surface = grid.extract_surface().triangulate()
-    corners = np.asarray(surface.faces).reshape(-1, 4)[:, 1:]
-    points = np.asarray(surface.point_data["vtkOriginalPointIds"])
-    return _triangles(grid, points[corners], np.asarray(surface.cell_data["vtkOriginalCellIds"]))
+    outside = outside_of(grid)
+    return _triangles(grid, outside.corners, outside.cells)
 
 
 def _faces_of_tetrahedra(snapshots):

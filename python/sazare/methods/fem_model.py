@@ -9,6 +9,7 @@ from sazare.model.parts import (
 )
 
 MOST_ARROWS = 12  # of a load
+WAVE_ARROWS = 5
 WATER, DRAIN, TIED = "#2b6cb0", "#00a0b8", "#4f7a00"
 
 
@@ -26,8 +27,8 @@ def model(opened):
     waters = [part for entry in opened.all("water_pressures") for part in _water(opened, entry, dimension)]
     waters += [surface_part(opened, [entry["group"]], dimension, f"drain: {entry['group']}", DRAIN, LOAD) for entry in opened.all("drains")]
     center = np.asarray(opened.first.points).mean(axis=0)
-    arrows = [arrow for entry, part in loads for arrow in _load_arrows(entry, part, center)]
-    return Model(dimension, [*parts, *(part for _, part in loads), *waters], gauges_at_points(opened), arrows, opened.gravity)
+    arrows = [arrow for entry, part in loads for arrow in _load_arrows(entry, part, center)] + _wave_arrows(opened, dimension)
+    return Model(dimension, [*parts, *(part for _, part in loads), *waters], gauges_at_points(opened), arrows, opened.gravity, up=dimension - 1)
 
 
 def _regions(opened, dimension):
@@ -73,7 +74,9 @@ def _joint(opened, entry, dimension, label, color):
 
 
 def _boundaries(opened, dimension):
-    for words, entries in grouped(opened.all("boundaries"), boundary_words).items():
+    wave = opened.case.get("incident_wave")
+    enters = f", {wave['kind']} wave of {wave['motion']} enters at {wave['angle']:g} deg" if wave else ""
+    for words, entries in grouped(opened.all("boundaries"), lambda entry: boundary_words(entry) + enters * (entry["kind"] == "viscous")).items():
         names = [entry["group"] for entry in entries]
         yield surface_part(opened, names, dimension, f"{words}: {listed(names)}", COLORS[entries[0]["kind"]], BOUNDARY, names)
 
@@ -91,6 +94,22 @@ def _members(opened):
             yield surface_part(opened, [entry["group"]], 2, label, style.INK)
         else:
             yield Part(label, style.INK, BOUNDARY, lines=np.array([[entry["from"], entry["to"]]], dtype=float))
+
+
+def _wave_arrows(opened, dimension):
+    """Where an incident wave enters through the base, and how it travels."""
+    wave = opened.case.get("incident_wave")
+    bases = [entry["group"] for entry in opened.all("boundaries") if entry["kind"] == "viscous"]
+    if not wave or not bases:
+        return []
+    part = surface_part(opened, bases, dimension, "", COLORS["viscous"])
+    pieces = [np.mean(piece, axis=0) for piece in (*part.faces, *part.lines)]
+    angle, azimuth = np.radians(wave["angle"]), np.radians(wave.get("azimuth", 0.0))
+    travels = np.zeros(3)
+    travels[:2] = np.sin(angle) * np.cos(azimuth), np.sin(angle) * np.sin(azimuth)
+    travels[dimension - 1] = np.cos(angle)
+    chosen = np.unique(np.linspace(0, len(pieces) - 1, min(len(pieces), WAVE_ARROWS)).round().astype(int))
+    return [Arrow(pieces[i], travels, COLORS["viscous"], True) for i in chosen]
 
 
 def _load_label(entry):

@@ -11,6 +11,7 @@ from matplotlib.colors import Normalize
 from sazare import plot, style
 from sazare.methods import Figure, Method, Section, common, fem, method_of, spheres
 from sazare.moments import moments_of
+from sazare.outside import outside_of
 from sazare.snapshots import elements_once
 
 MOST_PICTURES = 4
@@ -76,8 +77,8 @@ def _spheres(axes, cloud):
 
 def _outer_faces(grid):
     """Triangles (n, 3, 3) on the outside of tetrahedra or of elements in space, and the cell of each."""
-    outside = grid.extract_surface(nonlinear_subdivision=1, pass_cellid=True).triangulate()
-    return np.asarray(outside.points)[np.asarray(outside.faces).reshape(-1, 4)[:, 1:]], np.asarray(outside.cell_data["vtkOriginalCellIds"])
+    outside = outside_of(grid)
+    return np.asarray(grid.points)[outside.corners], outside.cells
 
 
 def _polygons(cloud):

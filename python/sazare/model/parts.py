@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from sazare import style
+from sazare.outside import outside_of
 
 AXES = "xyz"
 BODY, BOUNDARY, LOAD, WALL, INSIDE = "body", "boundary", "load", "wall", "inside"  # the last: surfaces within a body
@@ -112,6 +113,7 @@ class Model:
     arrows: list = field(default_factory=list)
     gravity: Any = None
     notes: list = field(default_factory=list)
+    up: int | None = None  # the axis that leads up without gravity, too; None: either of y and z
 
     def recolored(self, number):
         """The parts with other colours of the body, as if they came after a number of parts."""
@@ -204,8 +206,8 @@ def listed(names):
 
 def outer_faces(grid):
     """Triangles (n, 3, 3) [m] on the outside of a grid, and the number of the cell of each."""
-    outside = grid.extract_surface(nonlinear_subdivision=1, pass_cellid=True).triangulate()
-    return np.asarray(outside.points)[np.asarray(outside.faces).reshape(-1, 4)[:, 1:]], np.asarray(outside.cell_data["vtkOriginalCellIds"])
+    outside = outside_of(grid)
+    return np.asarray(grid.points)[outside.corners], outside.cells
 
 
 def middle(pieces):

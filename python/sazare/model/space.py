@@ -80,9 +80,10 @@ class View:
 
 
 def _corner_view(box, model):
-    """From above and from the corner at which most of the outside is free; of equal ones from the front. Without gravity y may lead up as well as z."""
+    """From above and from the corner at which most of the outside is free; of equal ones from the front. Without gravity y may lead up as well as z, where the method leaves it open."""
     areas, outward = _held_faces(model, box.mean(axis=0))
-    ways = [(vertical, sign * TOWARD[vertical]) for vertical in ([2, 1] if model.gravity is None else [_vertical(model.gravity)]) for sign in SIGNS[vertical]]
+    either = [2, 1] if model.up is None else [model.up]
+    ways = [(vertical, sign * TOWARD[vertical]) for vertical in (either if model.gravity is None else [_vertical(model.gravity)]) for sign in SIGNS[vertical]]
     held = np.array([areas @ np.maximum(outward @ toward, 0.0) for _, toward in ways])
     vertical, toward = ways[int(np.argmin(np.round(held / max(held.max(), 1e-30), 1)))]
     toward = toward / np.linalg.norm(toward)

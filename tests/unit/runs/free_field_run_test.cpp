@@ -22,8 +22,8 @@ cases::CaseFile slope(std::vector<std::string> settings = {}) {
 
 /// The record as a wave that comes at an angle from below the valley.
 std::vector<std::string> inclined(std::vector<std::string> more = {}) {
-  more.insert(more.begin(), {R"(boundaries.0={group="base", kind="viscous"})",
-                             R"(incident_wave={kind="sv", motion="el-centro", angle=15})"});
+  more.insert(more.begin(),
+              {R"(boundaries.0={group="base", kind="viscous"})", R"(incident_wave={kind="sv", motion="el-centro", angle=15})"});
   return more;
 }
 
@@ -67,9 +67,9 @@ TEST(free_field_run, refuses_sides_beside_which_no_column_can_stand) {
 TEST(free_field_run, refuses_waves_that_cannot_come_in) {
   const std::string flat = refused(inclined({"incident_wave.angle=40"}));
   EXPECT_NE(flat.find("the critical angle is 32.3 deg"), std::string::npos) << flat;
-  const std::string soft = refused(
-      inclined({R"(materials.2={name="soil", regions=["soil"], density=1850.0, youngs_modulus=192e6, poisson_ratio=0.3, )"
-                R"(damping_ratio=0.05, backbone="hyperbolic", reference_strain=1e-3})"}));
+  const std::string soft =
+      refused(inclined({R"(materials.2={name="soil", regions=["soil"], density=1850.0, youngs_modulus=192e6, poisson_ratio=0.3, )"
+                        R"(damping_ratio=0.05, backbone="hyperbolic", reference_strain=1e-3})"}));
   EXPECT_NE(soft.find("a wave at an angle runs through elastic layers only"), std::string::npos) << soft;
   const std::string steep = refused(inclined({"boundaries.1.kind=viscous"}));
   EXPECT_NE(steep.find("reaches an elevation of"), std::string::npos) << steep;
