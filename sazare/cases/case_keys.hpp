@@ -37,8 +37,9 @@ inline constexpr std::array motion_keys{
     Key{.name = "amplitude",
         .type = Type::number,
         .default_text = "1.0",
-        .sentence = "Amplitude of the formula, in m, m/s or m/s2 according to the quantity; for a record or a function, a "
-                    "dimensionless factor."},
+        .sentence = "Amplitude of the formula, in m, m/s or m/s2 according to the quantity, with which a wavelet has the value "
+                    "-amplitude "
+                    "at its peak time; for a record or a function, a dimensionless factor."},
     Key{.name = "frequency",
         .type = Type::number,
         .unit = "Hz",

@@ -72,8 +72,9 @@ std::string balance_warning(const observe::Manifest& manifest) {
   if (whole == 0 || share <= warned_of) return "";
   return fmt::format(
       "warning: the energy balance misses {} % of {}, so that motion may have gained or lost energy by itself\n"
-      "      help: a smaller time.stability_fraction, or a smaller step, should bring it below 1 %; the report of the "
-      "run says more\n",
+      "      help: a smaller step, such as by time.stability_fraction where the method has it, should bring it below 1 %; the "
+      "report "
+      "of the run says more\n",
       cases::short_number(100 * share, 2), reference(manifest));
 }
 

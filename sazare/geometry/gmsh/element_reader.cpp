@@ -103,7 +103,7 @@ private:
         if (node < 0)
           throw UserError(
               fmt::format("$Elements: element {} of the group '{}' touches no element of the body. Make the group part of it, or "
-                          "remove the group",
+                          "remove the group; members, too, run along the body alone",
                           block.tags[i], name));
     }
   }

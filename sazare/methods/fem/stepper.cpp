@@ -243,7 +243,7 @@ bool FemStepper<D>::iterate(Trial& trial, const Factors& by, const NodalColumn& 
       return false;
     }
     if (left <= rules_.tolerance * scale) return true;
-    if (iteration >= usual_iterations && left <= round_off()) return true;
+    if (iteration >= usual_iterations && left <= round_off(prescribed)) return true;
   }
   last_failure_ =
       fmt::format("{:.3g} of the forces was unbalanced, {:.3g} is required", scale > 0 ? left / scale : left, rules_.tolerance);
@@ -251,10 +251,14 @@ bool FemStepper<D>::iterate(Trial& trial, const Factors& by, const NodalColumn& 
 }
 
 /// Unbalanced force that round-off may leave: internal forces are differences of displacements, which a base may have carried
-/// far. Those of the trial do not count: where there is no equilibrium they grow without bound.
+/// far, or carries in this step. Those of the trial do not count: where there is no equilibrium they grow without bound.
 template <int D>
-Real FemStepper<D>::round_off() const {
-  return 4 * std::numeric_limits<Real>::epsilon() * norm(state_.tangent.magnitude_of_product(state_.displacement));
+Real FemStepper<D>::round_off(const NodalColumn& prescribed) const {
+  NodalColumn far = state_.displacement;
+  std::array<Real, D> farthest{};
+  for (std::size_t i = 0; i < far.size(); ++i) farthest[i % D] = std::max(farthest[i % D], std::abs(prescribed[i]));
+  for (std::size_t i = 0; i < far.size(); ++i) far[i] = std::abs(far[i]) + farthest[i % D];
+  return 4 * std::numeric_limits<Real>::epsilon() * norm(state_.tangent.magnitude_of_product(far));
 }
 
 /// Moves by a change, or by the half of it as often as that leaves less unbalanced force than before. Returns what is left.

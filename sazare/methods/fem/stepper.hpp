@@ -204,7 +204,7 @@ private:
   void evaluate(Trial& trial);
   methods::fem::NodalColumn balance_of(const Trial& trial) const;
   methods::fem::NodalColumn unbalance(const Trial& trial, Real& scale) const;
-  Real round_off() const;
+  Real round_off(const methods::fem::NodalColumn& prescribed) const;
   bool factorize(const Factors& by);
   void commit(Trial& trial, const Span& span);
   void add_work(const Trial& trial, const methods::fem::NodalColumn& balance, const Span& span);

@@ -1,5 +1,7 @@
 #include "sazare/methods/mps/free_field.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -7,7 +9,7 @@ namespace sazare::methods::mps {
 
 template <int D>
 FreeFieldForces<D>::FreeFieldForces(std::unique_ptr<particles::ParticleForces<D>> ground, SideGround<D> beside)
-    : ground_(std::move(ground)), beside_(std::move(beside)) {
+    : ground_(std::move(ground)), failing_(dynamic_cast<const FailingForces<D>*>(ground_.get())), beside_(std::move(beside)) {
   for (const SideCopy<D>& copy : beside_.copies)
     for (state::Column& column : differences_.emplace_back()) column.assign(copy.particles.padded(), 0);
   before_ = differences_;
@@ -81,23 +83,50 @@ void FreeFieldForces<D>::each_pair(Visit&& visit) const {
 template <int D>
 void FreeFieldForces<D>::evaluate(const state::Particles<D>& particles, state::FreedomColumns<D>& acceleration) {
   ground_->evaluate(particles, acceleration);
-  if (counts_) add_work(particles);
+  auto now = given(particles);
+  if (counts_) add_work(particles, now);
   counts_ = false;
   each_pair([&](std::size_t copy, const auto& pair) {
     for (std::size_t freedom = 0; freedom < acceleration.size(); ++freedom)
-      acceleration[freedom][at(pair.of_ground)] += differences_[copy][freedom][at(pair.of_copy)];
+      acceleration[freedom][at(pair.of_ground)] += now[copy][freedom][at(pair.of_copy)];
   });
-  before_ = differences_;
+  before_ = std::move(now);
+}
+
+/// What the ground gets of the differences.
+template <int D>
+std::vector<state::FreedomColumns<D>> FreeFieldForces<D>::given(const state::Particles<D>& particles) const {
+  auto now = differences_;
+  if (failing_ != nullptr)
+    each_pair([&](std::size_t copy, const auto& pair) {
+      if (const Real part = share(particles, beside_.copies[copy], pair); part < 1)
+        for (auto& column : now[copy]) column[at(pair.of_copy)] *= part;
+    });
+  return now;
+}
+
+/// Less than 1 for a broken particle that has gone from its row of the column.
+template <int D>
+Real FreeFieldForces<D>::share(const state::Particles<D>& particles, const SideCopy<D>& copy,
+                               const typename SideCopy<D>::Pair& pair) const {
+  constexpr Real whole = 0.25, none = 0.75;  // of the spacing
+  if (failing_->broken_fraction(pair.of_ground) < 1) return 1;
+  Real square = 0;
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    const Real gone = particles.displacement[axis][at(pair.of_ground)] - copy.particles.displacement[axis][at(pair.of_copy)];
+    square += gone * gone;
+  }
+  return std::clamp((none - std::sqrt(square) / particles.spacing) / (none - whole), Real{0}, Real{1});
 }
 
 /// The mean of the forces at both ends of the step times the way, as the stepper counts work.
 template <int D>
-void FreeFieldForces<D>::add_work(const state::Particles<D>& particles) {
+void FreeFieldForces<D>::add_work(const state::Particles<D>& particles, const std::vector<state::FreedomColumns<D>>& now) {
   const Real step = beside_.columns.front()->rules().step;
   each_pair([&](std::size_t copy, const auto& pair) {
     for (std::size_t freedom = 0; freedom < particles.velocity.size(); ++freedom) {
       const std::size_t own = at(pair.of_copy), ground = at(pair.of_ground);
-      const Real mean = 0.5 * (before_[copy][freedom][own] + differences_[copy][freedom][own]);
+      const Real mean = 0.5 * (before_[copy][freedom][own] + now[copy][freedom][own]);
       work_ += mean * step * particles.velocity[freedom][ground] / particles.inverse_inertia_of(freedom)[ground];
     }
   });
@@ -112,10 +141,10 @@ void FreeFieldForces<D>::columns(Archive& archive) {
     archive.folder("copy" + std::to_string(i), [&] {
       beside_.copies[i].forces->columns(archive);
       for (std::size_t freedom = 0; freedom < before_[i].size(); ++freedom)
-        archive("difference" + std::to_string(freedom), differences_[i][freedom]);
+        archive("difference" + std::to_string(freedom), before_[i][freedom]);
     });
   archive("side_work", work_);
-  if (archive.reading()) before_ = differences_;
+  if (archive.reading()) differences_ = before_;
 }
 
 template class FreeFieldForces<2>;

@@ -12,6 +12,9 @@
 ///     g         acceleration by the links of the particle itself [m/s2]      v, v_c  velocity, and that of its row of the column
 ///     g_c, g_k  of its row of the column, and of its particle in the copy    c       impedance times area
 ///
+/// A broken particle, which nothing ties to its place any more, gets less of g_c - g_k beyond a quarter of a spacing from its row
+/// of the column, and nothing beyond three quarters: ground that has gone is not pushed on by the ground beyond.
+///
 /// Where all ground moves as the column, g = g_k and v = v_c: so does the side, whatever the law. All other waves meet the
 /// dashpots alone. The links of the particles beside the side see that it is cut in half, so they have a difference, too. Columns
 /// go ahead and do not feel the ground. Zienkiewicz, Bicanic and Shen, in Advances in Computational Nonlinear Mechanics (1989)
@@ -20,6 +23,7 @@
 #include <memory>
 #include <vector>
 
+#include "sazare/methods/mps/failing_forces.hpp"
 #include "sazare/particles/uniform_stepper.hpp"
 
 namespace sazare::methods::mps {
@@ -78,12 +82,15 @@ public:
 
 private:
   void follow(std::size_t copy);
-  void add_work(const state::Particles<D>& particles);
+  std::vector<state::FreedomColumns<D>> given(const state::Particles<D>& particles) const;
+  Real share(const state::Particles<D>& particles, const SideCopy<D>& copy, const typename SideCopy<D>::Pair& pair) const;
+  void add_work(const state::Particles<D>& particles, const std::vector<state::FreedomColumns<D>>& now);
   /// Calls visit(copy, pair) for all.
   template <class Visit>
   void each_pair(Visit&& visit) const;
 
   std::unique_ptr<particles::ParticleForces<D>> ground_;
+  const FailingForces<D>* failing_;  ///< these, where the ground has a strength; else null
   SideGround<D> beside_;
   std::vector<state::FreedomColumns<D>> differences_;  ///< by copy and particle of it, at the last evaluation of the columns
   std::vector<state::FreedomColumns<D>> before_;       ///< those that the ground got last

@@ -17,6 +17,17 @@ void check_names(const CheckContext& context, const FemCase& fem, const Entry& e
   if (entry.gives("motion") && std::ranges::find(names, name) == names.end())
     context.problems.error(entry.place("motion"), fmt::format("there is no motion \"{}\"", name),
                            full_suggestion(name, names, "motions"));
+  for (const Motion& motion : fem.motions)
+    if (entry.gives("motion") && motion.name == name && motion.type == MotionShape::function)
+      context.problems.error(entry.place("motion"), "the motion of an incident wave must be known before the run",
+                             "write the values of the function into a file, and give the motion type = \"record\"");
+}
+
+void check_ties_under_wave(const CheckContext& context) {
+  for (const Entry& tie : context.entries_of("ties"))
+    if (tie.exists())
+      context.problems.error(tie.header(), "tied sides move at the same time, and a wave at an angle reaches one after the other",
+                             "remove the ties: sides of kind free_field take their place");
 }
 
 void check_dimension(const CheckContext& context, const FemCase& fem, const Entry& entry) {
@@ -57,6 +68,7 @@ void check_incident_wave(const CheckContext& context, const FemCase& fem) {
   check_dimension(context, fem, entry);
   check_other_motions(context, fem);
   check_way_in(context, fem, entry);
+  check_ties_under_wave(context);
 }
 
 }  // namespace sazare::cases

@@ -12,20 +12,39 @@
 #include "sazare/methods/fem/stepper.hpp"
 
 namespace sazare::methods::fem {
+namespace {
+
+/// Elevations between which the ground of an element is of one density: its ends, and a water table between them.
+template <int D>
+std::vector<Real> cuts_of(const geometry::ElementMesh& mesh, const geometry::MeshElement& element,
+                          const SolidMaterial& material) {
+  const Vector3& low = mesh.nodes[at(element.nodes[0])];
+  std::vector<Real> cuts{low[D - 1], mesh.nodes[at(element.nodes[1])][D - 1]};
+  if (!material.saturation) return cuts;
+  const Real table = low[D - 1] + material.saturation->pore_water.depth(low);
+  if (table > cuts[0] && table < cuts[1]) cuts.insert(cuts.begin() + 1, table);
+  return cuts;
+}
+
+}  // namespace
+
 template <int D>
 std::vector<ElasticLayer> elastic_layers(const FreeFieldSide<D>& side, const laws::RayleighDamping& damping) {
   const BodyDescription& column = side.column->body;
   std::vector<ElasticLayer> layers;
   for (std::size_t e = 0; e < column.mesh.elements.size(); ++e) {
-    const geometry::MeshElement& element = column.mesh.elements[e];
-    const Real thickness = column.mesh.nodes[at(element.nodes[1])][D - 1] - column.mesh.nodes[at(element.nodes[0])][D - 1];
-    if (e > 0 && column.material[e] == column.material[e - 1]) {
-      layers.back().thickness += thickness;
-      continue;
-    }
     const SolidMaterial& material = column.materials[at(column.material[e])];
-    layers.push_back({thickness, material.density, material.elastic.lame, material.elastic.shear_modulus,
-                      damping.mass_rate * material.damping_ratio, damping.stiffness_time * material.damping_ratio});
+    const std::vector<Real> cuts = cuts_of<D>(column.mesh, column.mesh.elements[e], material);
+    for (std::size_t i = 1; i < cuts.size(); ++i) {
+      Vector3 middle = column.mesh.nodes[at(column.mesh.elements[e].nodes[0])];
+      middle[D - 1] = 0.5 * (cuts[i - 1] + cuts[i]);
+      const Real thickness = cuts[i] - cuts[i - 1], density = material.density_at(middle);
+      if (e > 0 && column.material[e] == column.material[e - 1] && density == layers.back().density)
+        layers.back().thickness += thickness;
+      else
+        layers.push_back({thickness, density, material.elastic.lame, material.elastic.shear_modulus,
+                          damping.mass_rate * material.damping_ratio, damping.stiffness_time * material.damping_ratio});
+    }
   }
   return layers;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "sazare/cases/explanation.hpp"
 #include "sazare/cases/format/number_text.hpp"
@@ -44,6 +45,8 @@ public:
       check_angle(side);
     }
     check_base();
+    for (const auto& boundary : supports_.viscous) check_free(boundary.surface);
+    for (const auto& side : supports_.sides) check_free(side.surface);
   }
 
 private:
@@ -84,6 +87,30 @@ private:
            fmt::format("at {} deg the wave runs along a layer at {} instead of through it: the critical angle is {} deg",
                        short_number(std::abs(wave_.angle) / degree), name(side), short_number(most / degree, 3)),
            fmt::format("choose an angle below {} deg", short_number(0.999 * most / degree, 3)));
+  }
+
+  /// Whether the wave moves the ground along an axis.
+  bool moves(int axis) const {
+    if (D == 2 || axis == D - 1) return D == 2 || wave_.kind != fem::WaveKind::sh;
+    const Real along = axis == 0 ? std::cos(wave_.azimuth) : std::sin(wave_.azimuth),
+               across = axis == 0 ? std::sin(wave_.azimuth) : std::cos(wave_.azimuth);
+    return std::abs(wave_.kind == fem::WaveKind::sh ? across : along) > 1e-9;
+  }
+
+  /// The free field has no supports: at faces that follow it nothing else holds what the wave moves.
+  void check_free(const std::vector<geometry::MeshElement>& faces) const {
+    std::set<Index> nodes;
+    for (const auto& face : faces) nodes.insert(face.node_list().begin(), face.node_list().end());
+    for (const fem::Support& held : supports_.held) {
+      if (!nodes.contains(held.node) || !moves(held.axis)) continue;
+      const Vector3& place = mesh_.nodes[at(held.node)];
+      refuse(
+          file_, fmt::format("boundaries.{}.group", held.boundary),
+          fmt::format("\"{}\" holds a node of the base or a side at ({}, {}, {}) m along {}, and the wave moves the ground there",
+                      file_.as<cases::FemCase>().boundaries[at(held.boundary)].group, short_number(place.x()),
+                      short_number(place.y()), short_number(place.z()), "xyz"[held.axis]),
+          "with an incident wave the base is viscous, the sides are of kind free_field, and nothing else holds either");
+    }
   }
 
   /// The wave comes from one half space below a level base.
