@@ -243,6 +243,27 @@ TEST(statics, have_a_work_balance_that_closes) {
       }
 }
 
+/// All forces are round-off then, of displacements that are there at the end of the first step alone.
+TEST(statics, let_a_base_carry_a_body_without_strain) {
+  const auto mesh = test::box(ElementShape::quadrilateral8, {{1, 3, 1}, {3, 9, 1}, 0.2});
+  Supports<2> supports;
+  laws::GroundMotion shove;
+  shove.shape = laws::GroundMotion::Shape::record;
+  shove.quantity = laws::MotionQuantity::displacement;
+  shove.record = laws::Record::make(5, {0, 0.3});
+  supports.motions = {shove};
+  test::hold<2>(mesh, "bottom", 0, supports, 0);
+  test::hold<2>(mesh, "bottom", 1, supports);
+  FemRules rules;
+  rules.step = 1;
+  rules.statics = true;
+  FemStepper<2> stepper(std::make_unique<Body<2>>(test::of_one_material(mesh, SolidMaterial::elastic_of(30e9, 0.2, 2500))),
+                        std::move(supports), rules);
+  stepper.start();
+  for (int step = 0; step < 5; ++step) ASSERT_NO_THROW(stepper.advance()) << step;
+  for (std::size_t node = 0; node < mesh.nodes.size(); ++node) EXPECT_NEAR(stepper.state().displacement[2 * node], 0.3, 1e-12);
+}
+
 /// What is wrong there is a number of the case, and no want of equilibrium.
 TEST(statics, and_dynamics_tell_of_forces_that_are_no_numbers) {
   const auto mesh = test::box(ElementShape::triangle6, {{1, 2, 1}, {1, 2, 1}, 0.2});

@@ -214,6 +214,20 @@ FemStepper<2> under_a_wave(Real hill, Real gravity = 0) {
   return FemStepper<2>(std::make_unique<Body<2>>(std::move(body)), std::move(supports), rules);
 }
 
+/// A water table within an element parts its layer, and the ground below is as heavy as it is with its water.
+TEST(ElasticLayers, HaveTheDensityOfSaturatedGround) {
+  BodyDescription body = ground_of_two_layers(0);
+  body.materials[1].saturation = Saturation{2000, {9810, 1, 8.4}};
+  const auto sides = free_field_sides<2>(body, *body.mesh.find_group("left"), 0);
+  const auto layers = elastic_layers(sides[0], {});
+  ASSERT_EQ(layers.size(), 3u);
+  EXPECT_EQ(layers[0].density, 2100);
+  EXPECT_EQ(layers[1].density, 2000);
+  EXPECT_NEAR(layers[1].thickness, 2.4, 1e-12);
+  EXPECT_EQ(layers[2].density, 1800);
+  EXPECT_NEAR(layers[2].thickness, 3.6, 1e-12);
+}
+
 /// Every node moves as its layers do without a body in them; the wave reaches the right side later.
 TEST(InclinedField, LeavesLevelGroundToItself) {
   auto stepper = under_a_wave(0);

@@ -71,6 +71,8 @@ TEST(free_field_run, refuses_waves_that_cannot_come_in) {
       refused(inclined({R"(materials.2={name="soil", regions=["soil"], density=1850.0, youngs_modulus=192e6, poisson_ratio=0.3, )"
                         R"(damping_ratio=0.05, backbone="hyperbolic", reference_strain=1e-3})"}));
   EXPECT_NE(soft.find("a wave at an angle runs through elastic layers only"), std::string::npos) << soft;
+  const std::string held = refused(inclined({R"(boundaries.2={group="base", kind="roller", axes=["y"]})"}));
+  EXPECT_NE(held.find("and the wave moves the ground there"), std::string::npos) << held;
   const std::string steep = refused(inclined({"boundaries.1.kind=viscous"}));
   EXPECT_NE(steep.find("reaches an elevation of"), std::string::npos) << steep;
 }
