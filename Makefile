@@ -27,7 +27,7 @@ test: setup ## run everything that guards the project
 	@scripts/setup browser || echo "test: there is no Chromium, so nobody looks at the 3-D view in a browser"
 	@scripts/test
 
-sanitize: setup ## run the C++ tests and every case, shortened, with the address and undefined-behaviour sanitizers
+sanitize: setup ## run the C++ tests and every case, shortened, with the address, undefined-behaviour and thread sanitizers
 	@scripts/setup sanitizers || echo "sanitize: Clang could not be installed; another compiler may take much longer"
 	@scripts/sanitize $(JOBS)
 

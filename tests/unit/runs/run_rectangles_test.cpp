@@ -89,10 +89,11 @@ TEST(run_rectangles, refuses_a_gauge_outside) {
 }
 
 TEST(run_rectangles, refuses_more_elements_than_the_machine_can_hold) {
-  const std::string squares = refused({"blocks.0.element_size=1e-10"});
+  const std::vector<std::string> fine = {"blocks.0.element_size=1e-10"};
+  const std::string squares = refused(fine);
   EXPECT_NE(squares.find("the block would have 640e15 elements"), std::string::npos) << squares;
-  const std::string polygons = words_of<UserError>(
-      [] { registry::check_case(registry::read_case("cases/irregular-beam/case.toml", {"blocks.0.element_size=1e-10"})); });
+  const std::string polygons =
+      words_of<UserError>([&] { registry::check_case(registry::read_case("cases/irregular-beam/case.toml", fine)); });
   EXPECT_NE(polygons.find("the block would have 640e15 elements"), std::string::npos) << polygons;
   EXPECT_NE(polygons.find("this machine has"), std::string::npos) << polygons;
 }

@@ -36,6 +36,10 @@ std::vector<Grain> heap(int across, Real speed, Real spacing) {
     state = state * 6364136223846793005ULL + 1442695040888963407ULL;
     return static_cast<Real>(state >> 11) / 4503599627370496.0 - 1;
   };
+  const auto random_vector = [&] {  // drawn one after the other: compilers evaluate the arguments of a call in different orders
+    const Real z = random(), y = random(), x = random();
+    return Vector3(x, y, z);
+  };
   std::vector<Grain> grains;
   for (int i = 0; i < across; ++i)
     for (int j = 0; j < across; ++j)
@@ -43,8 +47,8 @@ std::vector<Grain> heap(int across, Real speed, Real spacing) {
         Grain grain;
         grain.centre = spacing * Vector3(i, j, k) + Vector3(0.02, 0.02, 0.02);
         grain.radius = 0.009 + 0.001 * random();
-        grain.velocity = speed * Vector3(random(), random(), random());
-        grain.spin = 20 * speed * Vector3(random(), random(), random());
+        grain.velocity = speed * random_vector();
+        grain.spin = 20 * speed * random_vector();
         grains.push_back(grain);
       }
   return grains;
