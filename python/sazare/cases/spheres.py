@@ -298,8 +298,8 @@ class Motion(Part):
     states it) Default: "acceleration".
     """
     amplitude: float | None = None
-    """Amplitude of the formula, in m, m/s or m/s2 according to the quantity; for a record or a function, a dimensionless factor.
-    Default: 1.0.
+    """Amplitude of the formula, in m, m/s or m/s2 according to the quantity, with which a wavelet has the value -amplitude at its
+    peak time; for a record or a function, a dimensionless factor. Default: 1.0.
     """
     frequency: float | None = None
     """Frequency of the sine, central frequency of the wavelet. [Hz] (required for a wavelet and a sine) Greater than 0."""
