@@ -64,15 +64,15 @@ TEST(mps_free_field, gives_the_bits_of_one_run_in_parts_and_on_threads) {
 TEST(mps_free_field, lets_broken_ground_go) {
   const TemporaryFolder folder;
   Settings settings = settles;
-  settings.insert(settings.end(),
-                  {"particles.spacing=2",
-                   "regions=[{name=\"rock\",shape=\"polygon\",points=[[-40,0],[70,0],[70,10],[-40,10],[-40,0]]},"
-                   "{name=\"soil\",shape=\"polygon\",points=[[-40,10],[70,10],[70,30],[30,30],[0,18],[-40,18],[-40,10]]}]",
-                   "materials.0.s_wave_velocity=500", "materials.0.p_wave_velocity=935.4", "materials.1.s_wave_velocity=250",
-                   "materials.1.p_wave_velocity=467.7", "materials.1.density=1850", "materials.1.cohesion=15e3",
-                   "materials.1.friction_angle=30", "gauges=[]", "motions.0.frequency=2", "motions.0.peak_time=0.6",
-                   "motions.0.amplitude=1", "damping.f1=0.2", "damping.f2=8", "time.end=4", "time.history_interval=0.1",
-                   "time.snapshot_interval=4"});
+  settings.insert(
+      settings.end(),
+      {"particles.spacing=2",
+       "regions=[{name=\"rock\",shape=\"polygon\",points=[[-40,0],[70,0],[70,10],[-40,10],[-40,0]]},"
+       "{name=\"soil\",shape=\"polygon\",points=[[-40,10],[70,10],[70,30],[30,30],[0,18],[-40,18],[-40,10]]}]",
+       "materials.0.s_wave_velocity=500", "materials.0.p_wave_velocity=935.4", "materials.1.s_wave_velocity=250",
+       "materials.1.p_wave_velocity=467.7", "materials.1.density=1850", "materials.1.cohesion=15e3",
+       "materials.1.friction_angle=30", "gauges=[]", "motions.0.frequency=2", "motions.0.peak_time=0.6", "motions.0.amplitude=1",
+       "damping.f1=0.2", "damping.f2=8", "time.end=4", "time.history_interval=0.1", "time.snapshot_interval=4"});
   registry::run_case(ground(settings), {folder / "run", Begin::fresh, true, nullptr});
   const nlohmann::json results = read_manifest(folder / "run")["results"];
   EXPECT_GT(results["broken_links"].get<double>(), 0);
