@@ -83,6 +83,12 @@ TEST(free_field_run, tells_how_the_wave_travels) {
   EXPECT_NE(told.find("travels along the base at 1931.85 m/s"), std::string::npos) << told;  // 500 m/s over sin 15 deg
 }
 
+TEST(free_field_run, warns_of_steps_too_long_for_the_record) {
+  EXPECT_EQ(registry::check_case(slope()).find("too few to follow it"), std::string::npos);
+  const std::string warned = registry::check_case(slope({"time.step=0.2", "time.history_interval=0.2"}));
+  EXPECT_NE(warned.find("steps to a period, too few to follow it"), std::string::npos) << warned;
+}
+
 TEST(free_field_run, tells_of_its_columns) {
   const std::string told = registry::check_case(slope());
   EXPECT_NE(told.find("valley side at x = -30 m: a column of"), std::string::npos) << told;

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 
 #include "sazare/cases/explanation.hpp"
 #include "sazare/cases/extent.hpp"
 #include "sazare/cases/format/counted.hpp"
+#include "sazare/cases/motion_peaks.hpp"
 #include "sazare/methods/fem/case/format.hpp"
 #include "sazare/methods/fem/run/held.hpp"
 #include "sazare/methods/fem/run/identity.hpp"
@@ -130,6 +132,25 @@ std::string warn_of_waves(const cases::CaseFile& file, const FemModel<D>& model)
   return cases::warn_of_short_waves(file, fem.motions, fem.time.end, slowest, largest_element(model.mesh()));
 }
 
+/// An implicit step is stable, whatever it leaves of the motion.
+std::string warn_of_long_steps(const cases::CaseFile& file, Real step) {
+  constexpr Real fewest = 8, advised = 20;  // steps to a period
+  const auto& fem = file.as<cases::FemCase>();
+  if (fem.time.analysis == cases::Analysis::statics) return "";
+  for (const cases::Motion& motion : fem.motions) {
+    const auto peaks = cases::peaks_of(motion, fem.time.end);
+    if (!peaks || !(peaks->velocity > 0)) continue;
+    const Real frequency = peaks->acceleration / (2 * std::numbers::pi * peaks->velocity), steps = 1 / (frequency * step);
+    if (!(steps < fewest)) continue;
+    return cases::warning(
+        file, "time.step",
+        fmt::format("the motion \"{}\" of {} Hz or so has {} steps to a period, too few to follow it", motion.name,
+                    number(frequency, 2), number(steps, 2)),
+        fmt::format("take {} s or less, and look whether half of it changes the answer", number(1 / (advised * frequency), 2)));
+  }
+  return "";
+}
+
 template <int D>
 std::string check(const cases::CaseFile& file, const std::filesystem::path& folder) {
   const FemModel<D> model = build_fem<D>(file, load_fem_mesh(file, folder / "mesh.msh", false));
@@ -145,7 +166,8 @@ std::string check(const cases::CaseFile& file, const std::filesystem::path& fold
          line("work", fmt::format("{} degrees of freedom, {} equations", model.stepper->free_freedoms(),
                                   body.is_symmetric() ? "symmetric" : "unsymmetric")) +
          line("", fmt::format("{} steps, {} per history row", clocks.steps(), clocks.steps_per_row)) +
-         cases::warn_of_size(file, cases::extent_of(model.mesh().nodes)) + warn_of_waves(file, model) + model.warnings;
+         cases::warn_of_size(file, cases::extent_of(model.mesh().nodes)) + warn_of_waves(file, model) +
+         warn_of_long_steps(file, model.step) + model.warnings;
 }
 
 }  // namespace
