@@ -25,3 +25,9 @@ def outside_of(grid):
     surface = numbered.extract_surface(nonlinear_subdivision=1).triangulate()
     corners = np.asarray(surface.faces).reshape(-1, 4)[:, 1:]
     return Outside(np.asarray(surface.point_data["number"])[corners], np.asarray(surface.cell_data["number"]))
+
+
+def outer_faces(grid):
+    """Triangles (n, 3, 3) [m] on the outside of a grid, and the number of the cell of each."""
+    outside = outside_of(grid)
+    return np.asarray(grid.points)[outside.corners], outside.cells

@@ -38,8 +38,7 @@ inline constexpr std::array motion_keys{
         .type = Type::number,
         .default_text = "1.0",
         .sentence = "Amplitude of the formula, in m, m/s or m/s2 according to the quantity, with which a wavelet has the value "
-                    "-amplitude "
-                    "at its peak time; for a record or a function, a dimensionless factor."},
+                    "-amplitude at its peak time; for a record or a function, a dimensionless factor."},
     Key{.name = "frequency",
         .type = Type::number,
         .unit = "Hz",

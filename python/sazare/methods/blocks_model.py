@@ -6,9 +6,10 @@ import numpy as np
 
 from sazare import style
 from sazare.model.parts import (
-    BOUNDARY, COLORS, INSIDE, JOINT_COLORS, LOAD, Arrow, Model, Part, along, body_color, boundary_words, counted, gauges_at_points, grouped, listed, named, outer_faces, surface_part,
+    BOUNDARY, COLORS, INSIDE, JOINT_COLORS, LOAD, Arrow, Model, Part, along, body_color, boundary_words, counted, gauges_at_points, grouped, listed, named, surface_part,
 )
 from sazare.model.water import current_notes, water_parts
+from sazare.outside import outer_faces
 
 
 def model(opened):

@@ -5,8 +5,9 @@ import numpy as np
 from sazare import style
 from sazare.methods.fem import outlines
 from sazare.model.parts import (
-    BOUNDARY, COLORS, LOAD, Arrow, Model, Part, along, body_color, boundary_words, counted, gauges_at_points, grouped, listed, named, outer_faces, surface_part, without_settling,
+    BOUNDARY, COLORS, LOAD, Arrow, Model, Part, along, body_color, boundary_words, counted, gauges_at_points, grouped, listed, named, surface_part, without_settling,
 )
+from sazare.outside import outer_faces
 
 MOST_ARROWS = 12  # of a load
 WAVE_ARROWS = 5
@@ -103,13 +104,12 @@ def _wave_arrows(opened, dimension):
     if not wave or not bases:
         return []
     part = surface_part(opened, bases, dimension, "", COLORS["viscous"])
-    pieces = [np.mean(piece, axis=0) for piece in (*part.faces, *part.lines)]
+    pieces = _middles(part)
     angle, azimuth = np.radians(wave["angle"]), np.radians(wave.get("azimuth", 0.0))
     travels = np.zeros(3)
     travels[:2] = np.sin(angle) * np.cos(azimuth), np.sin(angle) * np.sin(azimuth)
     travels[dimension - 1] = np.cos(angle)
-    chosen = np.unique(np.linspace(0, len(pieces) - 1, min(len(pieces), WAVE_ARROWS)).round().astype(int))
-    return [Arrow(pieces[i], travels, COLORS["viscous"], True) for i in chosen]
+    return [Arrow(place, travels, COLORS["viscous"], True) for place in _some(pieces, WAVE_ARROWS)]
 
 
 def _load_label(entry):
@@ -119,10 +119,20 @@ def _load_label(entry):
 
 def _load_arrows(entry, part, center):
     """Some arrows of a load: that push the body end on it, that pull it begin there."""
-    pieces = [np.mean(piece, axis=0) for piece in (*part.faces, *part.lines)]
+    pieces = _middles(part)
     traction = np.array(entry["traction"])
     if not pieces or not traction.any():
         return []
     pushes = np.dot(np.mean(pieces, axis=0) - center, traction) < 0.0
-    chosen = np.unique(np.linspace(0, len(pieces) - 1, min(len(pieces), MOST_ARROWS)).round().astype(int))
-    return [Arrow(pieces[i], traction, COLORS["load"], pushes) for i in chosen]
+    return [Arrow(place, traction, COLORS["load"], pushes) for place in _some(pieces, MOST_ARROWS)]
+
+
+def _middles(part):
+    """The middle of every face and line of a part."""
+    return [np.mean(piece, axis=0) for piece in (*part.faces, *part.lines)]
+
+
+def _some(places, most):
+    """As many of the places as are asked for at most, evenly among them."""
+    chosen = np.unique(np.linspace(0, len(places) - 1, min(len(places), most)).round().astype(int))
+    return [places[i] for i in chosen]

@@ -11,7 +11,7 @@ from matplotlib.colors import Normalize
 from sazare import plot, style
 from sazare.methods import Figure, Method, Section, common, fem, method_of, spheres
 from sazare.moments import moments_of
-from sazare.outside import outside_of
+from sazare.outside import outer_faces
 from sazare.snapshots import elements_once
 
 MOST_PICTURES = 4
@@ -75,18 +75,12 @@ def _spheres(axes, cloud):
                              array=_speed(cloud)[order], cmap=style.SPEED, edgecolors="#000000aa", linewidths=0.3)
 
 
-def _outer_faces(grid):
-    """Triangles (n, 3, 3) on the outside of tetrahedra or of elements in space, and the cell of each."""
-    outside = outside_of(grid)
-    return np.asarray(grid.points)[outside.corners], outside.cells
-
-
 def _polygons(cloud):
     """Squares and polygons, or the outside of tetrahedra seen along z."""
     if "block" in cloud.cell_data:
         corners, speed = _corners(cloud), _speed(cloud)
     else:
-        faces, cells = _outer_faces(cloud)
+        faces, cells = outer_faces(cloud)
         order = np.argsort(faces[:, :, 2].mean(axis=1))
         corners, speed = list(faces[order, :, :2]), _speed(cloud)[cells[order]]
     return PolyCollection(corners, array=speed, cmap=style.SPEED, edgecolors="#000000aa", linewidths=0.4)

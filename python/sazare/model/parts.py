@@ -11,7 +11,6 @@ from typing import Any
 import numpy as np
 
 from sazare import style
-from sazare.outside import outside_of
 
 AXES = "xyz"
 BODY, BOUNDARY, LOAD, WALL, INSIDE = "body", "boundary", "load", "wall", "inside"  # the last: surfaces within a body
@@ -202,12 +201,6 @@ def listed(names):
     """Names in words; of many the first ones and how many more there are."""
     names = list(dict.fromkeys(names))
     return ", ".join(names) if len(names) <= 8 else f"{', '.join(names[:7])} and {len(names) - 7} more"
-
-
-def outer_faces(grid):
-    """Triangles (n, 3, 3) [m] on the outside of a grid, and the number of the cell of each."""
-    outside = outside_of(grid)
-    return np.asarray(grid.points)[outside.corners], outside.cells
 
 
 def middle(pieces):
