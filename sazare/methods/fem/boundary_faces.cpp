@@ -30,6 +30,17 @@ Eigen::MatrixXd face_impedance(const geometry::ElementMesh& mesh, const geometry
   return result;
 }
 
+std::span<const QuadraturePoint> traction_points(geometry::ElementShape face, Integration integration) {
+  return facts(face).simplex ? mass_points(face) : stiffness_points(face, integration);
+}
+
+Vector3 place_on(const geometry::ElementMesh& mesh, const geometry::MeshElement& face, const NodeValues& values) {
+  Vector3 place = Vector3::Zero();
+  for (std::size_t i = 0; i < face.node_list().size(); ++i)
+    place += values[static_cast<Eigen::Index>(i)] * mesh.nodes[at(face.nodes[i])];
+  return place;
+}
+
 NodeValues face_shares(const geometry::ElementMesh& mesh, const geometry::MeshElement& face) {
   NodeValues shares = NodeValues::Zero(static_cast<Eigen::Index>(face.node_list().size()));
   for (const QuadraturePoint& place : mass_points(face.shape)) {

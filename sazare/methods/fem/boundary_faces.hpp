@@ -18,6 +18,12 @@ struct FacePoint {
 template <int D>
 FacePoint<D> face_point(const geometry::ElementMesh& mesh, const geometry::MeshElement& face, const QuadraturePoint& point);
 
+/// Where tractions on a face are integrated that the stress beyond it gives: as densely as the stiffness of elements beside it.
+std::span<const QuadraturePoint> traction_points(geometry::ElementShape face, Integration integration);
+
+/// The place of a point of a face with these shape functions [m].
+Vector3 place_on(const geometry::ElementMesh& mesh, const geometry::MeshElement& face, const NodeValues& values);
+
 /// Impedance of the ground beyond a face: rate of force by velocity of its nodes [N s/m]. Density times the velocity of waves,
 /// P across the face and S along it. Lysmer and Kuhlemeyer, J. Eng. Mech. Div. ASCE 95 (1969) 859-877.
 template <int D>

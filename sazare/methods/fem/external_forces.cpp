@@ -59,10 +59,7 @@ NodalColumn FemStepper<D>::incoming(Real now) const {
     if (velocity.isZero()) continue;
     for (const auto& face : boundary.faces) {
       const Eigen::VectorXd all = velocity.replicate(static_cast<Eigen::Index>(face.nodes.size()), 1);
-      const Eigen::VectorXd part = 2 * (face.impedance * all);
-      for (std::size_t i = 0; i < face.nodes.size(); ++i)
-        for (int axis = 0; axis < D; ++axis)
-          force[number<D>(face.nodes[i], axis)] += part[static_cast<Eigen::Index>(i) * D + axis];
+      add_at<D>(face.nodes, 2 * (face.impedance * all), force);
     }
   }
   if (const auto* inclined = free_field_->inclined()) inclined->add_incoming(force, now);

@@ -55,14 +55,9 @@ public:
     const geometry::ElementMesh& mesh = body.mesh();
     for (const geometry::MeshElement& face : side.surface) {
       for (const Index node : face.node_list()) nodes_.push_back(find_node(mesh, node));
-      const bool simplex = facts(face.shape).simplex;
-      for (const QuadraturePoint& place :
-           simplex ? mass_points(face.shape) : stiffness_points(face.shape, side.column->body.integration)) {
+      for (const QuadraturePoint& place : traction_points(face.shape, side.column->body.integration)) {
         const FacePoint<D> point = face_point<D>(mesh, face, place);
-        Real elevation = 0;
-        for (std::size_t i = 0; i < face.node_list().size(); ++i)
-          elevation += point.values[static_cast<Eigen::Index>(i)] * mesh.nodes[at(face.nodes[i])][D - 1];
-        const auto [element, between] = find(elevation);
+        const auto [element, between] = find(place_on(mesh, face, point.values)[D - 1]);
         const auto points = stiffness_points(column_mesh().elements[element].shape, stepper_.body().description().integration);
         points_.push_back(
             {&face - side.surface.data(), element, side.outwards * point.weight * point.values, values_between(points, between)});
@@ -93,10 +88,7 @@ public:
           motion.displacement[place] = value(nodes_[n], state.displacement, axis);
           motion.velocity[place] = velocity[static_cast<Eigen::Index>(i) * D + axis] = value(nodes_[n], state.velocity, axis);
         }
-      const Eigen::VectorXd force = face.impedance * velocity;
-      for (std::size_t i = 0; i < face.nodes.size(); ++i)
-        for (int axis = 0; axis < D; ++axis)
-          motion.force[number<D>(face.nodes[i], axis)] += force[static_cast<Eigen::Index>(i) * D + axis];
+      add_at<D>(face.nodes, face.impedance * velocity, motion.force);
     }
     const PointStresses<D> now = stresses();
     for (const PointSample& point : points_) {

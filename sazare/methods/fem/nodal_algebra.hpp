@@ -34,6 +34,13 @@ NodalColumn product(const BlockMatrix<D>& matrix, const NodalColumn& x) {
   return result;
 }
 
+/// Adds numbers by node and axis of a few nodes.
+template <int D>
+void add_at(const std::vector<Index>& nodes, const Eigen::VectorXd& values, NodalColumn& to) {
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (int axis = 0; axis < D; ++axis) to[number<D>(nodes[i], axis)] += values[static_cast<Eigen::Index>(i) * D + axis];
+}
+
 template <int D>
 Vector<D> sum_by_axis(const NodalColumn& column) {
   Vector<D> sum = Vector<D>::Zero();

@@ -150,13 +150,9 @@ public:
         const Vector3& place = mesh.nodes[at(node)];
         faces_.back().places.push_back({delay(place), shares(Quantity::velocity, place), shares(Quantity::displacement, place)});
       }
-      const auto shape = surface[f].shape;
-      for (const QuadraturePoint& point :
-           facts(shape).simplex ? mass_points(shape) : stiffness_points(shape, body.description().integration)) {
+      for (const QuadraturePoint& point : traction_points(surface[f].shape, body.description().integration)) {
         const FacePoint<D> at_point = face_point<D>(mesh, surface[f], point);
-        Vector3 place = Vector3::Zero();
-        for (std::size_t i = 0; i < surface[f].node_list().size(); ++i)
-          place += at_point.values[static_cast<Eigen::Index>(i)] * mesh.nodes[at(surface[f].nodes[i])];
+        const Vector3 place = place_on(mesh, surface[f], at_point.values);
         faces_.back().points.push_back(
             {delay(place), outwards * at_point.weight * at_point.values, shares(Quantity::traction, place)});
       }
@@ -175,9 +171,7 @@ public:
         const Vector<D> traction = value<D>(grounds, point.traction, time - point.delay);
         for (Eigen::Index i = 0; i < point.values.size(); ++i) all.segment<D>(i * D) += point.values[i] * traction;
       }
-      for (std::size_t i = 0; i < face.nodes.size(); ++i)
-        for (int axis = 0; axis < D; ++axis)
-          force[number<D>(face.nodes[i], axis)] += all[static_cast<Eigen::Index>(i) * D + axis];
+      add_at<D>(face.nodes, all, force);
     }
   }
 
