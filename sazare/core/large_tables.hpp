@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>  // says whether the C library is glibc
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,20 @@ inline void give_back_large_tables() {
 template <class T>
 void release(std::vector<T>& table) {
   std::vector<T>().swap(table);
+}
+
+/// Gives the memory of a table back but keeps its room: its records are no longer known, and what is written to it from now on
+/// takes memory again, page by page. So a table may have room for all records where a process knows some.
+template <class T>
+void forget([[maybe_unused]] std::vector<T>& table) {
+#ifdef __linux__
+  constexpr std::uintptr_t page = 4096;
+  const auto begin = reinterpret_cast<std::uintptr_t>(table.data()), end = begin + table.size() * sizeof(T);
+  const std::uintptr_t first = (begin + page - 1) / page * page, last = end / page * page;
+  if (first >= last) return;
+  madvise(reinterpret_cast<void*>(first), last - first, MADV_DONTNEED);
+  madvise(reinterpret_cast<void*>(first), last - first, MADV_NOHUGEPAGE);  // a large page takes its memory for a single record
+#endif
 }
 
 inline constexpr std::size_t large_page = 2 << 20;
@@ -60,6 +75,11 @@ class LargePages {
 public:
   template <class T>
   void add(const std::vector<T>& table) {
+    add(std::span(table));
+  }
+  /// A part of one.
+  template <class T>
+  void add(std::span<const T> table) {
     const auto begin = reinterpret_cast<std::uintptr_t>(table.data()), end = begin + table.size() * sizeof(T);
     for (std::uintptr_t from = begin; from < end;) {
       const std::uintptr_t page = from / large_page, to = std::min(end, (page + 1) * large_page);

@@ -26,6 +26,8 @@ void keep_together(std::span<const Index> body, std::vector<std::int8_t>& active
     if (body[i] >= 0) active[i] = of_body(i);
 }
 
+}  // namespace
+
 std::vector<std::int8_t> active_levels_of(const SpherePairs& pairs, const LevelsByPlace& levels) {
   std::vector<std::int8_t> active(levels.level.begin(), levels.level.end());
   const auto quicken = [&](std::size_t i, std::size_t j) {
@@ -37,6 +39,8 @@ std::vector<std::int8_t> active_levels_of(const SpherePairs& pairs, const Levels
   keep_together(levels.body, active);
   return active;
 }
+
+namespace {
 
 /// The pairs of each level, by the new places of their spheres.
 std::vector<SpherePairs> split(const SpherePairs& all, std::span<const std::int8_t> level, const std::vector<Index>& place,
@@ -68,6 +72,13 @@ std::vector<SpherePairs> split(const SpherePairs& all, std::span<const std::int8
 }
 
 }  // namespace
+
+std::vector<SpherePairs> split_by_level(const SpherePairs& all, std::span<const std::int8_t> level,
+                                        const std::vector<std::size_t>& spheres) {
+  std::vector<Index> same(level.size());
+  std::iota(same.begin(), same.end(), 0);
+  return split(all, level, same, spheres);
+}
 
 LeveledPairs find_leveled_pairs(const state::Spheres& spheres, Real margin, const LevelsByPlace& levels) {
   const SpherePairs all = find_pairs(spheres, margin);

@@ -31,6 +31,13 @@ struct LevelsByPlace {
   std::vector<Index> body = {};  ///< spheres of one body have one active level; below 0 those of none; empty where all are
 };
 
+/// By place: the finest level among a sphere's own, its pairs' and its bonds', and of its body.
+std::vector<std::int8_t> active_levels_of(const SpherePairs& pairs, const LevelsByPlace& levels);
+
+/// The pairs of each level. `level` is by place, `spheres` as above: of so many are those of each level.
+std::vector<SpherePairs> split_by_level(const SpherePairs& all, std::span<const std::int8_t> level,
+                                        const std::vector<std::size_t>& spheres);
+
 /// All pairs whose surfaces are nearer than the margin [m].
 LeveledPairs find_leveled_pairs(const state::Spheres& spheres, Real margin, const LevelsByPlace& levels);
 

@@ -24,9 +24,11 @@ namespace sazare::neighbors {
 struct SphereExtent {
   Vector3 lower = Vector3::Constant(std::numeric_limits<Real>::infinity()), upper = -lower;
   Real largest = 0;
+  std::int64_t count = 0;
   ExactSum radii;
 
   void add(const state::Spheres& spheres, std::size_t begin, std::size_t end) {
+    count += static_cast<std::int64_t>(end - begin);
     const Vector3 inverse = spheres.box.inverse();
     for (const auto& place : std::span(spheres.place).subspan(begin, end - begin)) {
       const Vector3 at = spheres.box.wrapped(place.centre(), inverse);
@@ -41,6 +43,7 @@ struct SphereExtent {
     lower = lower.cwiseMin(more.lower);
     upper = upper.cwiseMax(more.upper);
     largest = std::max(largest, more.largest);
+    count += more.count;
     radii += more.radii;
     return *this;
   }
@@ -56,18 +59,28 @@ struct SphereSizes {
   Real mean = 0;
   std::array<Real, most_classes> radius{};  ///< largest of each class; 0 where it is empty
 
-  explicit SphereSizes(const state::Spheres& spheres) {
+  explicit SphereSizes(const state::Spheres& spheres) : SphereSizes(extent_of(spheres)) {
+    for (const auto& place : spheres.place) take(place.radius);
+  }
+  /// Those with such an extent; their radii are to be taken.
+  explicit SphereSizes(const SphereExtent& all)
+      : lower(all.lower),
+        upper(all.upper),
+        largest(all.largest),
+        mean(all.radii.value() / static_cast<Real>(std::max<std::int64_t>(all.count, 1))) {}
+
+  static SphereExtent extent_of(const state::Spheres& spheres) {
     SphereExtent all;
     parallel::sum_over_ranges(spheres.size(), serial_below, all,
                               [&](std::size_t begin, std::size_t end, SphereExtent& part) { part.add(spheres, begin, end); });
-    lower = all.lower;
-    upper = all.upper;
-    largest = all.largest;
-    mean = all.radii.value() / static_cast<Real>(std::max<std::size_t>(spheres.size(), 1));
-    for (const auto& place : spheres.place) {
-      Real& most = radius[class_of(place.radius)];
-      most = std::max(most, place.radius);
-    }
+    return all;
+  }
+
+  /// The largest radius of its class grows by it.
+  void take(Real of_sphere) {
+    if (!(of_sphere > 0)) return;  // an empty class of others
+    Real& most = radius[class_of(of_sphere)];
+    most = std::max(most, of_sphere);
   }
 
   /// Which class: 0 for the largest spheres, each further one for half the radius.

@@ -67,18 +67,15 @@ private:
 /// Looks for pairs in the size classes of a body.
 class Search {
 public:
-  Search(const state::Spheres& spheres, Real margin, std::span<const std::uint8_t> is_wanted)
-      : spheres_(spheres), margin_(margin), is_wanted_(is_wanted), box_(spheres.box) {
-    const SphereSizes sizes(spheres);
+  /// `known`: places of spheres in order; all where there are none.
+  Search(const state::Spheres& spheres, Real margin, std::span<const std::uint8_t> is_wanted, const SphereSizes& sizes,
+         std::span<const Index> known)
+      : spheres_(spheres), margin_(margin), is_wanted_(is_wanted), sizes_(sizes), known_(known), box_(spheres.box) {
     std::array<std::vector<Index>, SphereSizes::most_classes> members;
-    class_.resize(spheres.size());
-    for (std::size_t i = 0; i < spheres.size(); ++i) {
-      class_[i] = static_cast<std::uint8_t>(sizes.class_of(spheres.place[i].radius));
-      members[class_[i]].push_back(static_cast<Index>(i));
-    }
+    visit_known(0, spheres.size(), [&](std::size_t i) { members[class_of(i)].push_back(static_cast<Index>(i)); });
     for (std::size_t c = 0; c < members.size(); ++c) {
       number_[c] = cells_.size();
-      if (members[c].empty()) continue;
+      if (!(sizes.radius[c] > 0)) continue;
       cells_.emplace_back(CellGrid(spheres.box, sizes, 2 * sizes.radius[c] + margin), spheres, members[c]);
       members[c] = {};
     }
@@ -109,17 +106,28 @@ private:
     std::vector<std::pair<Index, Index>> mixed;
   };
 
+  std::size_t class_of(std::size_t sphere) const { return sizes_.class_of(spheres_.place[sphere].radius); }
+  /// Calls visit(i) for the known spheres from a place on to before another.
+  template <class Visit>
+  void visit_known(std::size_t begin, std::size_t end, Visit&& visit) const {
+    if (known_.empty())
+      for (std::size_t i = begin; i < end; ++i) visit(i);
+    for (auto i = std::ranges::lower_bound(known_, static_cast<Index>(begin)); i != known_.end() && *i < static_cast<Index>(end);
+         ++i)
+      visit(static_cast<std::size_t>(*i));
+  }
   bool is_wanted(std::size_t tile) const { return is_wanted_.empty() || is_wanted_[tile] != 0; }
 
   /// A tile that is not wanted may have small spheres beside larger ones of one that is.
   void look(std::size_t number, std::vector<Around>& around, Tile& tile) const {
     std::vector<Index> near;
-    const std::size_t end = std::min((number + 1) * tile_size, spheres_.size());
-    if (!is_wanted(number) && cells_.size() == 1) return tile.counts.resize(end - number * tile_size, 0);
-    for (std::size_t i = number * tile_size; i < end; ++i) {
+    const std::size_t begin = number * tile_size, end = std::min(begin + tile_size, spheres_.size());
+    tile.counts.resize(end - begin, 0);
+    if (!is_wanted(number) && cells_.size() == 1) return;
+    visit_known(begin, end, [&](std::size_t i) {
       const auto& own = spheres_.place[i];
       const auto sphere = static_cast<Index>(i);
-      const std::size_t before = tile.other.size(), own_class = number_[class_[i]];
+      const std::size_t before = tile.other.size(), own_class = number_[class_of(i)];
       for (std::size_t c = 0; c <= own_class; ++c) {
         around[c].move_to(cells_[c], own.centre(), cells_.size() == 1 && cells_[c].stands_in_order);
         const std::size_t count = around[c].find_near(spheres_, box_, own, margin_, near);  // which moves what it enlarges
@@ -130,8 +138,8 @@ private:
         else
           for (const Index j : found) tile.mixed.emplace_back(std::min(sphere, j), std::max(sphere, j));
       }
-      tile.counts.push_back(static_cast<std::uint32_t>(tile.other.size() - before));
-    }
+      tile.counts[i - begin] = static_cast<std::uint32_t>(tile.other.size() - before);
+    });
   }
 
   /// One list of what the tiles have found, which is given up on the way.
@@ -160,8 +168,9 @@ private:
   const state::Spheres& spheres_;
   Real margin_;
   std::span<const std::uint8_t> is_wanted_;
+  const SphereSizes& sizes_;
+  std::span<const Index> known_;
   state::BoxLanes<Lanes> box_;
-  std::vector<std::uint8_t> class_;
   std::array<std::size_t, SphereSizes::most_classes> number_{};  ///< of a class in `cells_`
   std::vector<SphereCells> cells_;                               ///< of the classes that are not empty, largest spheres first
 };
@@ -186,9 +195,12 @@ void permute(std::vector<T>& records, const std::vector<Index>& order) {
 
 }  // namespace
 
+CellGrid order_grid(const state::PeriodicBox& box, const SphereSizes& sizes, Real margin) {
+  return {box, sizes, 2 * sizes.smallest() + margin};
+}
+
 std::vector<Index> order_by_cell(const state::Spheres& spheres, Real margin) {
-  const SphereSizes sizes(spheres);
-  const CellGrid grid(spheres.box, sizes, 2 * sizes.smallest() + margin);
+  const CellGrid grid = order_grid(spheres.box, SphereSizes(spheres), margin);
   std::vector<std::pair<std::uint64_t, Index>> keyed(spheres.size());
   parallel::parallel_for(spheres.size(), 20000, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
@@ -228,7 +240,13 @@ void keep_wanted(SpherePairs& pairs, std::span<const std::uint8_t> is_wanted) {
 }
 
 SpherePairs find_pairs(const state::Spheres& spheres, Real margin, std::span<const std::uint8_t> is_wanted) {
-  return Search(spheres, margin, is_wanted).run();
+  return Search(spheres, margin, is_wanted, SphereSizes(spheres), {}).run();
+}
+
+SpherePairs find_pairs(const state::Spheres& spheres, Real margin, std::span<const std::uint8_t> is_wanted,
+                       const KnownSpheres& known) {
+  if (known.places.empty()) return {std::vector<std::uint32_t>(spheres.size() + 1, 0), {}};
+  return Search(spheres, margin, is_wanted, known.sizes, known.places).run();
 }
 
 }  // namespace sazare::neighbors

@@ -22,6 +22,12 @@ struct SpherePairs {
   std::vector<Index> other;
 };
 
+struct SphereSizes;
+class CellGrid;
+
+/// The grid whose cells give spheres of such sizes their order.
+CellGrid order_grid(const state::PeriodicBox& box, const SphereSizes& sizes, Real margin);
+
 /// The order of their cells, see CellOrder: the n-th is the sphere that should stand n-th.
 std::vector<Index> order_by_cell(const state::Spheres& spheres, Real margin);
 
@@ -37,5 +43,15 @@ void keep_wanted(SpherePairs& pairs, std::span<const std::uint8_t> is_wanted);
 /// All pairs whose surfaces are nearer than the margin [m]. Each pair once, by the nearest image in a periodic box. Where
 /// `is_wanted` is given, by tile, those alone whose first sphere is in a wanted tile.
 SpherePairs find_pairs(const state::Spheres& spheres, Real margin, std::span<const std::uint8_t> is_wanted = {});
+
+/// What one of several processes knows of the spheres.
+struct KnownSpheres {
+  const SphereSizes& sizes;       ///< of all spheres
+  std::span<const Index> places;  ///< of those it knows, in order
+};
+/// Those of pairs of known spheres. Where all within the margin of a wanted tile are known, these are the pairs of the wanted
+/// tiles that would be found among all spheres, in the same order.
+SpherePairs find_pairs(const state::Spheres& spheres, Real margin, std::span<const std::uint8_t> is_wanted,
+                       const KnownSpheres& known);
 
 }  // namespace sazare::neighbors

@@ -11,8 +11,9 @@
 namespace sazare::methods::spheres {
 
 std::vector<Index> PairContacts::find(state::Spheres& spheres, Real margin, RankTiles* ranks) {
-  std::vector<Index> order = neighbors::order_by_cell(spheres, margin);
-  Touches touches = take_touches(neighbors::places_after(order));
+  const std::vector<Index> order = neighbors::order_by_cell(spheres, margin);
+  std::vector<Index> new_place = neighbors::places_after(order);
+  Touches touches = take_touches(new_place);
   neighbors::put_in_order(spheres, order);
   if (ranks == nullptr) {
     pairs_ = neighbors::find_pairs(spheres, margin);
@@ -23,7 +24,7 @@ std::vector<Index> PairContacts::find(state::Spheres& spheres, Real margin, Rank
   }
   lay_out();
   go_on(touches);
-  return order;
+  return new_place;
 }
 
 void PairContacts::go_over(neighbors::SpherePairs pairs, const std::vector<Index>& new_place, RankTiles* ranks) {

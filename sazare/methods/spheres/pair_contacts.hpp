@@ -25,8 +25,8 @@ public:
   explicit PairContacts(ContactTable table) : table_(std::move(table)) {}
 
   /// Sorts the spheres along a curve and finds all pairs nearer than the margin [m]; what touches goes on remembering.
-  /// Returns the place before of each sphere. `write_to` is to follow. Where several ranks share the spheres all of them have all
-  /// spheres as they are now, and each comes to know the pairs of its own tiles; else `ranks` is nullptr.
+  /// Returns by place where each sphere comes to stand. `write_to` is to follow. Where several ranks share the spheres all of
+  /// them have all spheres as they are now, and each comes to know the pairs of its own tiles; else `ranks` is nullptr.
   std::vector<Index> find(state::Spheres& spheres, Real margin, RankTiles* ranks);
 
   /// Goes over to these pairs of spheres that are sorted anew; `new_place` says by place where each of them comes to stand. What

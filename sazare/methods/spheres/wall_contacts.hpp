@@ -35,9 +35,12 @@ public:
     bool owns(std::size_t tile) const { return ranks == nullptr || ranks->owners().owns(tile); }
   };
 
-  /// Finds which spheres are nearer to a wall than the margin [m]. `places_before` says where each sphere stood when they
-  /// were last found; empty where all stand as they did.
-  void find(const state::Spheres& spheres, Real time, Real margin, std::span<const Index> places_before, const Parts& parts);
+  /// Notes whether spheres went through surfaces since they were last evaluated; to be called before `find`, while all stand
+  /// where they did.
+  void look_back(const state::Spheres& spheres, Real time);
+  /// Finds which spheres are nearer to a wall than the margin [m]. `new_place` says where each sphere stands that stood at a
+  /// place when they were last found; empty where all stand as they did.
+  void find(const state::Spheres& spheres, Real time, Real margin, std::span<const Index> new_place, const Parts& parts);
 
   /// Whether walls stand still from the next `move` on: where they were at the last one, and without velocity.
   void stand_still(bool still) { stand_still_ = still; }
@@ -204,7 +207,6 @@ private:
   void find_near(const state::Spheres& spheres, std::size_t sphere, Real margin, Tile& tile) const;
   void find_surface(std::size_t wall, const state::Spheres& spheres, std::size_t sphere, Real margin,
                     std::vector<Near>& near) const;
-  void look_back(const state::Spheres& spheres, std::span<const Index> place);
   bool went_through(Near& one, const geometry::Triangle& corners, const Vector3& centre, Real distance,
                     const state::PeriodicBox& box) const;
   Ground ground_at(const Point& point, Real radius) const;

@@ -88,7 +88,7 @@ WallContacts::Kept WallContacts::kept() const {
   return all;
 }
 
-void WallContacts::find(const state::Spheres& spheres, Real time, Real margin, std::span<const Index> places_before,
+void WallContacts::find(const state::Spheres& spheres, Real time, Real margin, std::span<const Index> new_place,
                         const Parts& parts) {
   move(time);
   if (surface() != nullptr) {
@@ -96,17 +96,14 @@ void WallContacts::find(const state::Spheres& spheres, Real time, Real margin, s
     for (std::size_t face = 0; face < surface()->face_count(); ++face) now.push_back(surface()->corners(face, time));
     trees_[surface_] = geometry::TriangleTree(now, reach_);
   }
-  std::vector<Index> place(places_before.size());
-  for (std::size_t n = 0; n < place.size(); ++n) place[static_cast<std::size_t>(places_before[n])] = static_cast<Index>(n);
-  if (have_surfaces()) look_back(spheres, place);
   Kept before = kept();
-  if (!place.empty()) {
-    for (Touch& touch : before.touches) touch.sphere = place[static_cast<std::size_t>(touch.sphere)];
+  if (!new_place.empty()) {
+    for (Touch& touch : before.touches) touch.sphere = new_place[static_cast<std::size_t>(touch.sphere)];
     if (parts.ranks != nullptr) before = hand_on(before, *parts.ranks);
   }
   std::vector<std::size_t> order(before.touches.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  if (!place.empty()) std::ranges::stable_sort(order, {}, [&](std::size_t n) { return before.touches[n].sphere; });
+  if (!new_place.empty()) std::ranges::stable_sort(order, {}, [&](std::size_t n) { return before.touches[n].sphere; });
   const std::size_t tile_count = neighbors::tiles_of(spheres.size());
   Tile empty;
   empty.planes.resize(walls_.size());
@@ -166,15 +163,15 @@ void WallContacts::remember(const Touch& touch, const Bands* bands, Tile& tile) 
   if (bands != nullptr) tile.bands.push_back(*bands);
 }
 
-/// Whether spheres went through surfaces since they were last evaluated; `place` says where each stands that stood elsewhere.
-void WallContacts::look_back(const state::Spheres& spheres, std::span<const Index> place) {
+void WallContacts::look_back(const state::Spheres& spheres, Real time) {
+  if (!have_surfaces()) return;
+  move(time);
   for (std::size_t part = 0; part < parts_.size(); ++part) {
     parallel::parallel_for(parts_[part].size(), 2, [&](std::size_t begin, std::size_t end) {
       for (Tile& tile : std::span(parts_[part]).subspan(begin, end - begin))
         for (Near& one : tile.near) {
           const auto w = static_cast<std::size_t>(one.wall);
-          const auto before = static_cast<std::size_t>(one.sphere);
-          const std::size_t sphere = place.empty() ? before : static_cast<std::size_t>(place[before]);
+          const auto sphere = static_cast<std::size_t>(one.sphere);
           const Vector3 centre = spheres.box.wrapped(spheres.place[sphere].centre());
           if (went_through(one, triangle(w, one.triangle), seen_by(w, centre), 0, spheres.box) && !tile.passage)
             tile.passage = {spheres.number[sphere], one.wall, centre, time_};

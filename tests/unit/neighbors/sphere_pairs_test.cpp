@@ -86,6 +86,38 @@ TEST(sphere_pairs, of_wanted_tiles_are_those_of_a_search_in_all) {
   }
 }
 
+/// The places of the spheres of wanted tiles and of those within the margin of them.
+std::vector<Index> near_wanted(const state::Spheres& spheres, Real margin, std::span<const std::uint8_t> is_wanted) {
+  std::vector<std::uint8_t> is_near(spheres.size(), 0);
+  for (std::size_t i = 0; i < spheres.size(); ++i) is_near[i] = is_wanted[i / tile_size];
+  for (const auto& [one, other] : by_hand(spheres, margin)) {
+    const auto i = static_cast<std::size_t>(one), j = static_cast<std::size_t>(other);
+    if (is_wanted[i / tile_size] != 0 || is_wanted[j / tile_size] != 0) is_near[i] = is_near[j] = 1;
+  }
+  std::vector<Index> places;
+  for (std::size_t i = 0; i < spheres.size(); ++i)
+    if (is_near[i] != 0) places.push_back(static_cast<Index>(i));
+  return places;
+}
+
+TEST(sphere_pairs, of_wanted_tiles_need_what_is_near_these_alone) {
+  for (const Real largest : {0.02, 0.08}) {
+    auto spheres = scattered(4000, 0.02, largest, {1, 1, 1});
+    spheres.box = {Vector3::Zero(), Vector3(0, 1, 0)};
+    put_in_order(spheres, order_by_cell(spheres, 0.01));
+    const SpherePairs all = find_pairs(spheres, 0.01);
+    const SphereSizes sizes(spheres);
+    for (const std::array<std::uint8_t, 4>& wanted : {std::array<std::uint8_t, 4>{1, 0, 1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}}) {
+      const std::vector<Index> known = near_wanted(spheres, 0.01, wanted);
+      state::Spheres part = spheres;
+      for (auto& place : part.place) place = {};
+      for (const Index i : known) part.place[static_cast<std::size_t>(i)] = spheres.place[static_cast<std::size_t>(i)];
+      ASSERT_LT(known.size(), spheres.size());
+      expect_wanted_pairs(all, find_pairs(part, 0.01, wanted, {sizes, known}), wanted);
+    }
+  }
+}
+
 TEST(sphere_pairs, are_all_pairs_of_one_size) {
   const auto spheres = scattered(2000, 0.05, 0.05, {1, 1, 1});
   EXPECT_EQ(found(spheres, 0.01), by_hand(spheres, 0.01));

@@ -279,23 +279,23 @@ TEST(plane_contacts, are_remembered_by_a_search_that_puts_spheres_in_another_ord
   const state::Spheres spheres = at(leaning());
   WallContacts before = at_leaning(spheres, 5), sought = at_leaning(spheres, 5);
   state::Spheres reordered = spheres;
-  std::vector<Index> places_before;
+  std::vector<Index> new_place(count);
   static_assert(count % 7 != 0);  // each is met once
   for (std::size_t n = 0; n < count; ++n) {
     const std::size_t from = (7 * n + 2) % count;
-    places_before.push_back(static_cast<Index>(from));
+    new_place[from] = static_cast<Index>(n);
     reordered.place[n] = spheres.place[from];
     reordered.spin[n] = spheres.spin[from];
     reordered.number[n] = spheres.number[from];
   }
   const std::vector<std::int8_t> part(count, 1);
-  sought.find(reordered, 0, margin, places_before, {2, part});
+  sought.find(reordered, 0, margin, new_place, {2, part});
   const auto expected = evaluated(before, spheres);
   std::vector<state::SphereLoad> loads(count);
   sought.evaluate(reordered, {0, step, loads.data(), 0});
   for (const auto& load : loads) EXPECT_EQ(force_of(load), Vector3(Vector3::Zero()));
   sought.evaluate(reordered, {0, step, loads.data(), 1});
-  for (std::size_t n = 0; n < count; ++n) expect_equal(loads[n], expected[static_cast<std::size_t>(places_before[n])]);
+  for (std::size_t n = 0; n < count; ++n) expect_equal(loads[static_cast<std::size_t>(new_place[n])], expected[n]);
 }
 
 TEST(plane_contacts, are_forgotten_by_a_search_that_finds_them_far_away) {

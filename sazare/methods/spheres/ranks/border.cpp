@@ -59,6 +59,21 @@ void Border::complete(const TileOwners& owners, std::vector<std::vector<Index>>&
   }
 }
 
+void Border::tell_of_ghosts(std::vector<Index>& by_place) const {
+  std::vector<std::vector<std::byte>> to_each(static_cast<std::size_t>(ranks_->size()));
+  for (std::size_t rank = 0; rank < ours_.size(); ++rank) {
+    std::vector<Index> values;
+    for (const Index sphere : ours_[rank].spheres) values.push_back(by_place[static_cast<std::size_t>(sphere)]);
+    const auto packed = std::as_bytes(std::span(values));
+    to_each[rank].assign(packed.begin(), packed.end());
+  }
+  const auto arrived = parallel::give(*ranks_, std::move(to_each), parallel::Topic::search);
+  for (std::size_t rank = 0; rank < theirs_.size(); ++rank) {
+    MessageReader from(arrived[rank]);
+    for (const Index sphere : theirs_[rank].spheres) by_place[static_cast<std::size_t>(sphere)] = from.read<Index>();
+  }
+}
+
 void Border::plan(const TileOwners& owners, std::vector<Level> levels, bool with_turns) {
   levels_ = std::move(levels);
   with_turns_ = with_turns;

@@ -30,6 +30,9 @@ public:
   /// it.
   void complete(const TileOwners& owners, std::vector<std::vector<Index>>& ghosts);
 
+  /// What is known by place of own spheres becomes known of the ghosts of own tiles, as planned. All call it.
+  void tell_of_ghosts(std::vector<Index>& by_place) const;
+
   /// The loads of a time level, and how many spheres are kicked at its ticks: those that stand first.
   struct Level {
     LoadTable* loads = nullptr;

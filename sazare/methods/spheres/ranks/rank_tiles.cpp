@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <span>
 #include <utility>
 
@@ -84,6 +85,7 @@ void RankTiles::share(state::Spheres& spheres, parallel::To to, parallel::Topic 
     carry_places(parcel, spheres.place, begin, end);
     carry_places(parcel, spheres.spin, begin, end);
     carry_places(parcel, spheres.kick, begin, end);
+    carry_places(parcel, spheres.number, begin, end);
     if (!spheres.turn.empty()) carry_places(parcel, spheres.turn, begin, end);
   };
   Parcel own;
@@ -100,6 +102,26 @@ std::size_t RankTiles::own_spheres() const {
   std::size_t own = 0;
   for (const std::size_t tile : owners_.own()) own += end_of(tile) - tile * neighbors::tile_size;
   return own;
+}
+
+std::vector<Index> RankTiles::own_places() const {
+  std::vector<Index> places;
+  places.reserve(own_spheres());
+  visit_own([&](std::size_t i) { places.push_back(static_cast<Index>(i)); });
+  return places;
+}
+
+void RankTiles::set_near(std::vector<Index> near) {
+  near_ = std::move(near);
+  std::ranges::sort(near_);
+}
+
+std::vector<Index> RankTiles::known() const {
+  const std::vector<Index> own = own_places();
+  std::vector<Index> all;
+  all.reserve(own.size() + near_.size());
+  std::ranges::merge(own, near_, std::back_inserter(all));
+  return all;
 }
 
 }  // namespace sazare::methods::spheres

@@ -1,7 +1,7 @@
 #pragma once
 
-/// The spheres that several ranks share. Every rank holds the motion of all spheres, true for its own and those near them, and
-/// works for its own tiles: it knows their candidate pairs and contacts, evaluates them and moves their spheres.
+/// The spheres that several ranks share. A rank works for its own tiles: it knows the motion of their spheres and of those near
+/// them, their candidate pairs and contacts, evaluates these and moves its spheres.
 
 #include <algorithm>
 #include <cstdint>
@@ -67,22 +67,33 @@ public:
   }
   /// The sum of what all ranks have added up without rounding. All call it.
   template <class Sums>
-  Sums sum(const Sums& own) const {
+  Sums sum(const Sums& own, parallel::Topic topic = parallel::Topic::rows) const {
     Sums all{};
-    for (const Sums& part : from_all(own, parallel::Topic::rows)) all += part;
+    for (const Sums& part : from_all(own, topic)) all += part;
     return all;
   }
   template <class Record>
   std::vector<Record> to_first(const Record& own, parallel::Topic topic) const {
     return from_all(own, topic, parallel::To::first);
   }
-  /// The lists of all ranks, one after the other. All call it.
+  /// The lists of all ranks, by rank. All call it.
+  template <class Record>
+  std::vector<std::vector<Record>> by_rank(const std::vector<Record>& own, parallel::Topic topic) const {
+    const parallel::Gathered all = ranks_->gather(std::as_bytes(std::span(own)), topic);
+    std::vector<std::vector<Record>> records(static_cast<std::size_t>(ranks_->size()));
+    for (std::size_t rank = 0; rank < records.size(); ++rank) {
+      const std::span<const std::byte> bytes = all.of(static_cast<int>(rank));
+      records[rank].resize(bytes.size() / sizeof(Record));
+      if (!bytes.empty()) std::memcpy(static_cast<void*>(records[rank].data()), bytes.data(), bytes.size());
+    }
+    return records;
+  }
+  /// One after the other.
   template <class Record>
   std::vector<Record> join(const std::vector<Record>& own, parallel::Topic topic) const {
-    const parallel::Gathered all = ranks_->gather(std::as_bytes(std::span(own)), topic);
-    std::vector<Record> records(all.bytes.size() / sizeof(Record));
-    if (!records.empty()) std::memcpy(static_cast<void*>(records.data()), all.bytes.data(), all.bytes.size());
-    return records;
+    std::vector<Record> all;
+    for (const std::vector<Record>& records : by_rank(own, topic)) all.insert(all.end(), records.begin(), records.end());
+    return all;
   }
   /// All call these.
   Real largest(Real own) const;
@@ -128,13 +139,30 @@ public:
     return by_tile;
   }
 
-  /// How many spheres stand in own tiles.
+  std::size_t end_of(std::size_t tile) const { return std::min((tile + 1) * neighbors::tile_size, spheres_); }
+  /// Calls visit(place) for the spheres of a tile.
+  template <class Visit>
+  void visit_tile(std::size_t tile, Visit&& visit) const {
+    for (std::size_t i = tile * neighbors::tile_size; i < end_of(tile); ++i) visit(i);
+  }
+  /// For those of own tiles.
+  template <class Visit>
+  void visit_own(Visit&& visit) const {
+    for (const std::size_t tile : owners_.own()) visit_tile(tile, visit);
+  }
+  /// How many spheres stand in own tiles, and their places.
   std::size_t own_spheres() const;
+  std::vector<Index> own_places() const;
+
+  /// The places of other ranks' spheres that are known as they were at the last search, in any order.
+  void set_near(std::vector<Index> near);
+  const std::vector<Index>& near() const { return near_; }
+  /// Those of all spheres that are known, own and near, in order.
+  std::vector<Index> known() const;
 
 private:
   std::vector<int> next_owners(std::span<const std::size_t> spheres);
   std::vector<int> random_owners() const;
-  std::size_t end_of(std::size_t tile) const { return std::min((tile + 1) * neighbors::tile_size, spheres_); }
 
   const parallel::Ranks* ranks_;
   Division division_;
@@ -143,6 +171,7 @@ private:
   Border border_;
   std::vector<std::size_t> cuts_;  ///< of the tiles into ranges; not where owners are random
   TileCosts costs_;
+  std::vector<Index> near_;
   Real seconds_ = 0, all_seconds_ = 0;
   std::uint64_t divisions_ = 0;
 };

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "sazare/methods/spheres/ranks/rank_search.hpp"
 #include "sazare/parallel/threads.hpp"
 
 namespace sazare::methods::spheres {
@@ -49,17 +50,27 @@ std::vector<std::int8_t> SphereLevels::by_place(const state::Spheres& spheres) c
   return level;
 }
 
+std::vector<Index> SphereLevels::find_among_ranks(state::Spheres& spheres, Real margin) {
+  for (Level& level : levels_) level.loads = {};
+  RankSearch search(*ranks_, spheres, margin, level_, finest());
+  std::vector<Index> new_place = search.new_places();
+  search.move();
+  std::vector<neighbors::SpherePairs> pairs = search.pairs();
+  for (std::size_t l = 0; l < levels_.size(); ++l) levels_[l].pairs.go_over(std::move(pairs[l]), new_place, ranks_);
+  return new_place;
+}
+
 std::vector<Index> SphereLevels::find(state::Spheres& spheres, Real margin, Together together) {
   for (Level& level : levels_) level.loads = {};
   if (is_one()) return levels_.front().pairs.find(spheres, margin, ranks_);
   const std::vector<std::int8_t> level = by_place(spheres);
   auto found =
       neighbors::find_leveled_pairs(spheres, margin, {level, finest(), std::move(together.bonded), std::move(together.body)});
-  const std::vector<Index> new_place = neighbors::places_after(found.order);
+  std::vector<Index> new_place = neighbors::places_after(found.order);
   neighbors::put_in_order(spheres, found.order);
   if (ranks_ != nullptr) ranks_->divide(found.spheres);
   for (std::size_t l = 0; l < levels_.size(); ++l) levels_[l].pairs.go_over(std::move(found.pairs[l]), new_place, ranks_);
-  return std::move(found.order);
+  return new_place;
 }
 
 SphereLevels::Level& SphereLevels::level_of(const state::Spheres& spheres, Index one, Index other) {

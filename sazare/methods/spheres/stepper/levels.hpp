@@ -60,8 +60,10 @@ public:
     std::vector<Index> body;
   };
   /// Sorts the spheres by active level and along a curve and finds all pairs nearer than the margin [m]; what touches goes on
-  /// remembering. Returns the place before of each sphere. `arrange` is to follow.
+  /// remembering. Returns by place where each sphere comes to stand. `arrange` is to follow.
   std::vector<Index> find(state::Spheres& spheres, Real margin, Together together);
+  /// The same among ranks that know their own spheres and those near them alone; none of the spheres belong together.
+  std::vector<Index> find_among_ranks(state::Spheres& spheres, Real margin);
   /// Suppresses contacts as PairContacts does, in the level to which the pair belongs.
   void suppress_within(std::span<const Index> body);
   void suppress(const state::Spheres& spheres, Index one, Index other);

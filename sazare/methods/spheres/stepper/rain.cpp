@@ -65,27 +65,27 @@ RainEnd SphereStepper::rain(const RainRules& rules) {
     all.clumps[c].impulse_ahead = all.clumps[c].turning_ahead = Vector3::Zero();
   }
   clumps_ = std::move(all);
-  for (std::size_t i = 0; i < spheres_.size(); ++i) {
+  visit_known([&](std::size_t i) {
     state::SphereKick& kick = spheres_.kick[i];
     const auto number = static_cast<std::size_t>(spheres_.number[i]);
     kick = kicks[number];
     if (rules.rains[number] != 0) stop(kick);
     spheres_.set_motion(i, {kick.vx, kick.vy, kick.vz}, {kick.wx, kick.wy, kick.wz});
-  }
+  });
   evaluated_ = false;
   return end;
 }
 
 /// All that moves keeps this share of its velocity.
 void SphereStepper::slow(Real kept) {
-  for (std::size_t i = 0; i < spheres_.size(); ++i) {
+  visit_known([&](std::size_t i) {
     state::SphereKick& kick = spheres_.kick[i];
     state::SpherePlace& place = spheres_.place[i];
     state::SphereSpin& spin = spheres_.spin[i];
     for (Real* part :
          {&kick.vx, &kick.vy, &kick.vz, &kick.wx, &kick.wy, &kick.wz, &place.vx, &place.vy, &place.vz, &spin.x, &spin.y, &spin.z})
       *part *= kept;
-  }
+  });
   for (state::Clump& clump : clumps_.clumps) {
     clump.velocity = kept * clump.velocity;
     clump.angular_momentum = kept * clump.angular_momentum;

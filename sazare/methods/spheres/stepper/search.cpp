@@ -4,7 +4,6 @@
 
 #include "sazare/core/large_tables.hpp"
 #include "sazare/methods/spheres/stepper/stepper.hpp"
-#include "sazare/parallel/sum_over_ranges.hpp"
 
 namespace sazare::methods::spheres {
 
@@ -17,7 +16,6 @@ constexpr Real margin_over_way = 16;
 constexpr Real way_ahead = 2, usable_share = 0.75;
 /// Steps after which a search looks at the step again: contacts change more slowly, and a look costs as much as a step or two.
 constexpr std::int64_t steps_between_looks = 128;
-constexpr std::size_t serial_below = 20000;  // to add up a sphere takes some 20 ns, to wake a thread some microseconds
 
 }  // namespace
 
@@ -42,14 +40,19 @@ bool SphereStepper::may_pass_unseen(const SphereSpeeds& speeds) const {
          wall_approach_ + wall_approach_in(rules_.step, speeds) > rules_.wall_margin + smallest_radius_;
 }
 
+/// Whether several ranks share the spheres and each knows a part of them: bonds, clumps and bonded bodies ask for all.
+bool SphereStepper::knows_part() const { return ranks_ != nullptr && bonds_.empty() && clumps_.empty() && bodies_.empty(); }
+
 void SphereStepper::find_pairs() {
-  if (ranks_ != nullptr) ranks_->share(spheres_, parallel::To::all, parallel::Topic::search);
+  walls_.look_back(spheres_, time());  // before spheres change their places
+  if (ranks_ != nullptr && !knows_part()) ranks_->share(spheres_, parallel::To::all, parallel::Topic::search);
   bonds_.collect(ranks_.get());  // before tiles change their owners
   if (ranks_ != nullptr) share_bodies();
   if (step_ >= looked_at_step_ + steps_between_looks) look_at_step();
   find_drift();
   margin_ = margin_for_step();
-  const std::vector<Index> places_before = levels_.find(spheres_, margin_, together());
+  const std::vector<Index> new_place =
+      knows_part() ? levels_.find_among_ranks(spheres_, margin_) : levels_.find(spheres_, margin_, together());
   find_places();
   suppress_within_bodies();
   bonds_.drop_broken();
@@ -60,7 +63,7 @@ void SphereStepper::find_pairs() {
       levels_.suppress(spheres_, links.first[link], links.ends.second[link]);
   }
   wake_broken_within_pieces();
-  find_walls(places_before);
+  find_walls(new_place);
   approach_ = 0;
   tile_approach_.assign(levels_.is_one() ? levels_.loads(0).tiles() : 0, 0);
   ++searches_;
@@ -70,9 +73,15 @@ void SphereStepper::find_pairs() {
 /// What steps go through stands on as few pages as can be: a processor knows the places of few.
 void SphereStepper::ask_for_large_pages() const {
   LargePages pages;
-  pages.add(spheres_.place);
-  pages.add(spheres_.spin);
-  pages.add(spheres_.kick);
+  const auto add = [&](std::size_t begin, std::size_t end) {
+    pages.add(std::span(spheres_.place).subspan(begin, end - begin));
+    pages.add(std::span(spheres_.spin).subspan(begin, end - begin));
+    pages.add(std::span(spheres_.kick).subspan(begin, end - begin));
+  };
+  if (knows_part())
+    for (const std::size_t tile : ranks_->owners().own()) add(tile * neighbors::tile_size, ranks_->end_of(tile));
+  else
+    add(0, spheres_.size());
   levels_.add_to(pages);
   pages.ask();
 }
@@ -98,13 +107,12 @@ void SphereStepper::arrange() {
 
 /// The mean velocity, from which speeds are seen.
 void SphereStepper::find_drift() {
-  MassFlow all;
-  parallel::sum_over_ranges(spheres_.size(), serial_below, all, [&](std::size_t begin, std::size_t end, MassFlow& part) {
-    for (const state::SpherePlace& place : std::span(spheres_.place).subspan(begin, end - begin)) {
-      part.mass += place.mass;
-      part.momentum += Vector3(place.mass * place.velocity());
-    }
+  auto all = sum_own<MassFlow>([this](std::size_t i, MassFlow& part) {
+    const state::SpherePlace& place = spheres_.place[i];
+    part.mass += place.mass;
+    part.momentum += Vector3(place.mass * place.velocity());
   });
+  if (ranks_ != nullptr) all = ranks_->sum(all, parallel::Topic::search);
   const Real mass = all.mass.value();
   drift_ = all.momentum.value();
   if (mass > 0) drift_ /= mass;
@@ -113,8 +121,12 @@ void SphereStepper::find_drift() {
 /// For how far pairs are to be found [m].
 Real SphereStepper::margin_for_step() const {
   if (levels_.is_one()) return rules_.margin;
-  SphereSpeeds speeds;
-  for (const state::SpherePlace& place : spheres_.place) speeds.take({(place.velocity() - drift_).norm(), 0, 0});
+  SphereSpeeds own, speeds;
+  visit_own([&](std::size_t i) { own.take({(spheres_.place[i].velocity() - drift_).norm(), 0, 0}); });
+  if (ranks_ == nullptr)
+    speeds = own;
+  else
+    for (const SphereSpeeds& of : ranks_->from_all(own, parallel::Topic::search)) speeds.take(of);
   return std::max(rules_.margin, margin_over_way * rules_.step * (speeds.first + speeds.second));
 }
 
@@ -152,10 +164,11 @@ void SphereStepper::wake_broken_within_pieces() {
   }
 }
 
-void SphereStepper::find_walls(std::span<const Index> places_before) {
+void SphereStepper::find_walls(std::span<const Index> new_place) {
   if (walls_.walls().empty()) return;
+  if (new_place.empty()) walls_.look_back(spheres_, time());
   const auto level = levels_.by_place(spheres_);
-  walls_.find(spheres_, time(), rules_.wall_margin, places_before, {levels_.count(), level, ranks_.get()});
+  walls_.find(spheres_, time(), rules_.wall_margin, new_place, {levels_.count(), level, ranks_.get()});
   wall_radius_ = 0;
   for (const auto& wall : walls_.walls())
     if (wall.motion.moves())

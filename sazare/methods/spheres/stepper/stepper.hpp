@@ -216,6 +216,14 @@ private:
   void visit_own(Visit&& visit) const {
     for (std::size_t n = 0; n < own_tiles(); ++n) visit_tile(own_tile(n), visit);
   }
+  /// And for those of other ranks that it knows.
+  template <class Visit>
+  void visit_known(Visit&& visit) const {
+    if (!knows_part())
+      for (std::size_t i = 0; i < spheres_.size(); ++i) visit(i);
+    else
+      for (const Index i : ranks_->known()) visit(static_cast<std::size_t>(i));
+  }
   template <class Visit>
   void visit_tile(std::size_t tile, Visit&& visit) const {
     const std::size_t end = std::min((tile + 1) * neighbors::tile_size, spheres_.size());
@@ -272,6 +280,7 @@ private:
   template <class Visit>
   void visit_wall_contacts_of(std::size_t tile, std::size_t level, const Visit& visit) const;
   void visit_contacts(const OthersContacts& of_others, const std::function<void(const ContactPoint&)>& visit) const;
+  bool knows_part() const;
   bool seek_in_time(const SphereSpeeds& speeds);
   bool may_pass_unseen(const SphereSpeeds& speeds) const;
   void find_pairs();
@@ -283,7 +292,7 @@ private:
   SphereLevels::Together together();
   void suppress_within_bodies();
   void wake_broken_within_pieces();
-  void find_walls(std::span<const Index> places_before);
+  void find_walls(std::span<const Index> new_place);
   /// What `of_number` says of a sphere, by place.
   template <class OfNumber>
   std::vector<Index> by_place(OfNumber&& of_number) const {

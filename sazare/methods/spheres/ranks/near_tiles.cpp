@@ -1,0 +1,120 @@
+#include "sazare/methods/spheres/ranks/near_tiles.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "sazare/parallel/threads.hpp"
+
+namespace sazare::methods::spheres {
+
+namespace {
+
+/// A rank tells of so many boxes at most; where it has more tiles, one goes around several of them.
+constexpr std::size_t most_boxes = 256;
+/// Boxes are taken to be wider by this share of a reach and of a place, so that round-off leaves out no sphere.
+constexpr Real round_off = 1e-9;
+
+/// Where some spheres are in the box of the domain, and the largest radius.
+struct TileBox {
+  std::array<Real, 3> lower = {infinity, infinity, infinity}, upper = {-infinity, -infinity, -infinity};
+  Real radius = 0;
+
+  static constexpr Real infinity = std::numeric_limits<Real>::infinity();
+
+  void take(const Vector3& at, Real of_sphere) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      lower[a] = std::min(lower[a], at[static_cast<int>(a)]);
+      upper[a] = std::max(upper[a], at[static_cast<int>(a)]);
+    }
+    radius = std::max(radius, of_sphere);
+  }
+  void take(const TileBox& more) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      lower[a] = std::min(lower[a], more.lower[a]);
+      upper[a] = std::max(upper[a], more.upper[a]);
+    }
+    radius = std::max(radius, more.radius);
+  }
+};
+
+/// Whether boxes are nearer to each other than the radii of their spheres and a margin; by the nearest image in a periodic domain.
+class Nearness {
+public:
+  Nearness(const state::PeriodicBox& box, Real margin) : box_(box), inverse_(box.inverse()), margin_(margin) {}
+
+  Vector3 within(const state::SpherePlace& place) const { return box_.wrapped(place.centre(), inverse_); }
+
+  bool operator()(const TileBox& one, const TileBox& other) const {
+    Real square = 0, far = 0;
+    for (std::size_t a = 0; a < 3; ++a) {
+      const Real gap = gap_on(a, one, other);
+      square += gap * gap;
+      far = std::max({far, std::abs(one.lower[a]), std::abs(one.upper[a])});
+    }
+    const Real reach = (1 + round_off) * (one.radius + other.radius + margin_) + round_off * far;
+    return square < reach * reach;
+  }
+
+private:
+  Real gap_on(std::size_t axis, const TileBox& one, const TileBox& other) const {
+    const auto gap = [&](Real shift) {
+      return std::max({Real{0}, other.lower[axis] + shift - one.upper[axis], one.lower[axis] - (other.upper[axis] + shift)});
+    };
+    const Real length = box_.length[static_cast<int>(axis)];
+    return length > 0 ? std::min({gap(0), gap(length), gap(-length)}) : gap(0);
+  }
+
+  state::PeriodicBox box_;
+  Vector3 inverse_;
+  Real margin_;
+};
+
+std::vector<TileBox> boxes_of_own(const RankTiles& ranks, const state::Spheres& spheres, const Nearness& nearness) {
+  const std::vector<std::size_t>& own = ranks.owners().own();
+  std::vector<TileBox> boxes(own.size());
+  parallel::parallel_for(own.size(), 2, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+      ranks.visit_tile(own[n], [&](std::size_t i) { boxes[n].take(nearness.within(spheres.place[i]), spheres.place[i].radius); });
+  });
+  return boxes;
+}
+
+/// As many as a rank tells of, each around as many tiles but one.
+std::vector<TileBox> gathered(const std::vector<TileBox>& of_tiles) {
+  const std::vector<std::size_t> cuts = even_cuts(of_tiles.size(), most_boxes);
+  std::vector<TileBox> some(of_tiles.empty() ? 0 : cuts.size() - 1);
+  for (std::size_t n = 0; n < some.size(); ++n)
+    for (std::size_t tile = cuts[n]; tile < cuts[n + 1]; ++tile) some[n].take(of_tiles[tile]);
+  return some;
+}
+
+}  // namespace
+
+std::vector<std::vector<Index>> spheres_near_others(const RankTiles& ranks, const state::Spheres& spheres, Real margin) {
+  const Nearness is_near(spheres.box, margin);
+  const std::vector<std::size_t>& own = ranks.owners().own();
+  const std::vector<TileBox> of_tiles = boxes_of_own(ranks, spheres, is_near);
+  const std::vector<std::vector<TileBox>> of_ranks = ranks.by_rank(gathered(of_tiles), parallel::Topic::search);
+  std::vector<std::vector<Index>> near(of_ranks.size());
+  parallel::parallel_for_uneven(of_ranks.size(), 2, [&](std::size_t begin, std::size_t end) {
+    std::vector<TileBox> beside;
+    for (std::size_t rank = begin; rank < end; ++rank) {
+      if (static_cast<int>(rank) == ranks.ranks().rank()) continue;
+      for (std::size_t n = 0; n < own.size(); ++n) {
+        beside.clear();
+        std::ranges::copy_if(of_ranks[rank], std::back_inserter(beside),
+                             [&](const TileBox& other) { return is_near(of_tiles[n], other); });
+        if (beside.empty()) continue;
+        ranks.visit_tile(own[n], [&](std::size_t i) {
+          TileBox alone;
+          alone.take(is_near.within(spheres.place[i]), spheres.place[i].radius);
+          if (std::ranges::any_of(beside, [&](const TileBox& other) { return is_near(alone, other); }))
+            near[rank].push_back(static_cast<Index>(i));
+        });
+      }
+    }
+  });
+  return near;
+}
+
+}  // namespace sazare::methods::spheres
