@@ -13,12 +13,14 @@ import os
 import random
 import re
 import resource
+import select
 import shutil
 import signal
 import struct
 import subprocess
 import sys
 import tempfile
+import threading
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
@@ -87,6 +89,12 @@ class Tried:
     time: int = 20  # s
     memory: int = 6_000_000_000  # B of addresses
     watched: bool = False
+    server: Path = ROOT / "build/fuzz/fork_server.so"
+
+    def make_server(self):
+        """Compiles what lets the program be started once."""
+        self.server.parent.mkdir(parents=True, exist_ok=True)
+        subprocess.run(["cc", "-O1", "-shared", "-fPIC", "-o", self.server, Path(__file__).with_name("fork_server.c"), "-ldl"], check=True)
 
     def watch(self):
         """Sanitizers watch the program. What they keep account of takes time, and addresses without a limit."""
@@ -106,23 +114,54 @@ def limited():
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
+class ForkServer:
+    """The program, started once and loaded with fork_server.c, which carries out the program again and again."""
+
+    def __init__(self):
+        limits = {"SAZARE_TRIED_SECONDS": str(TRIED.time), "SAZARE_TRIED_CORE": "0"}
+        if not TRIED.watched:
+            limits["SAZARE_TRIED_MEMORY"] = str(TRIED.memory)
+        preload = " ".join(filter(None, [str(TRIED.server), os.environ.get("LD_PRELOAD")]))
+        environment = {**os.environ, **limits, "LD_PRELOAD": preload}
+        self.process = subprocess.Popen([TRIED.command], stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0, env=environment)
+
+    def begin(self, folder, arguments):
+        """Starts the program in a folder."""
+        self.process.stdin.write("\t".join([str(folder), *arguments]).encode() + b"\n")
+        return int(self.process.stdout.readline())
+
+    def ended_within(self, seconds):
+        """Whether the program ends within so many seconds."""
+        return bool(select.select([self.process.stdout], [], [], seconds)[0])
+
+    def exit_code(self):
+        """That of the program, which has ended or is killed: below 0 the signal by which it ended."""
+        return os.waitstatus_to_exitcode(int(self.process.stdout.readline()))
+
+
+THREAD = threading.local()  # each has a fork server
+
+
 def ended(arguments, folder, stop_after=None):
     """A program that has ended, as subprocess.run gives it; it is asked to stop after so many seconds. Raises TimeoutExpired."""
-    with subprocess.Popen(arguments, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, preexec_fn=limited) as program:
-        try:
-            try:
-                out, err = program.communicate(timeout=stop_after or 10 * TRIED.time)
-            except subprocess.TimeoutExpired:
-                if stop_after is None:
-                    raise
-                program.terminate()
-                out, err = program.communicate(timeout=10 * TRIED.time)
-                if program.returncode == -signal.SIGTERM:  # on a busy machine it may not listen yet
-                    return subprocess.CompletedProcess(arguments, INTERRUPTED, out, err or b"asked to stop")
-        except subprocess.TimeoutExpired:
-            program.kill()
-            raise
-    return subprocess.CompletedProcess(arguments, program.returncode, out, err)
+    if not hasattr(THREAD, "server"):
+        THREAD.server = ForkServer()
+    server, longest = THREAD.server, 10 * TRIED.time
+    program = server.begin(folder, arguments)
+    in_time = server.ended_within(stop_after or longest)
+    asked = not in_time and stop_after is not None
+    if asked:
+        os.kill(program, signal.SIGTERM)
+        in_time = server.ended_within(longest)
+    if not in_time:
+        os.kill(program, signal.SIGKILL)
+    code = server.exit_code()
+    if not in_time:
+        raise subprocess.TimeoutExpired(arguments, longest)
+    out, err = (Path(folder, name).read_bytes() for name in ("stdout", "stderr"))
+    if asked and code == -signal.SIGTERM:  # on a busy machine it may not listen yet
+        return subprocess.CompletedProcess(arguments, INTERRUPTED, out, err or b"asked to stop")
+    return subprocess.CompletedProcess(arguments, code, out, err)
 
 
 def verdict(done):
@@ -145,7 +184,7 @@ def fault_of(folder, way):
     """What is wrong with the answer to a case that is checked, run or resumed; None where it is a good one."""
     arguments = {"check": ["check", "case.toml"], "run": ["run", "case.toml", "--out", "run"], "resume": ["run", "case.toml", "--out", "run", "--resume"]}[way]
     try:
-        return verdict(ended([TRIED.command, *arguments, *(["--quiet"] if way != "check" else []), "--threads", "1"], folder, None if way == "check" else RUN_TIME))
+        return verdict(ended([*arguments, *(["--quiet"] if way != "check" else []), "--threads", "1"], folder, None if way == "check" else RUN_TIME))
     except subprocess.TimeoutExpired:
         return f"more than {10 * TRIED.time} s by the clock"
 
@@ -186,6 +225,7 @@ def main():
     TRIED.command = chosen.program.resolve()
     if chosen.watched:
         TRIED.watch()
+    TRIED.make_server()
     corpus = {name: files for name, files in {**CORPUS, **checkpoint_of()}.items() if chosen.only in (None, name)}
     with tempfile.TemporaryDirectory(prefix="sazare-fuzz-") as place:  # seeds that are refused would hide all that comes later
         for name, files in corpus.items():
