@@ -238,6 +238,27 @@ Rotation<D> GroundStrength<D>::stress(const state::Particles<D>& particles, cons
   return rotation * own * rotation.transpose();
 }
 
+/// Of soil that degrades e_p holds p + nu p_zz 1 (degrading_ground.hpp), whose trace is -(1 - 2 nu) p_zz.
+template <int D>
+ParticleTensors<D> GroundStrength<D>::tensors(const state::Particles<D>& particles, const Tensors<D>& stretch,
+                                              Index particle) const {
+  const std::size_t i = at(particle);
+  if (inverse_[0][i] == 0) return {};
+  const Rotation<D> elastic = elastic_strain(particles, stretch, i), rotation = rotation_of(particles, i);
+  ParticleTensors<D> found;
+  found.strain = rotation * (elastic + read<D>(plastic_, i)) * rotation.transpose();
+  found.stress = stress(particles, stretch, particle);
+  if constexpr (D == 2) {
+    const auto [mu, lambda] = ground(particle).elastic;
+    found.across = lambda * elastic.trace();
+    if (degrading_.holds_particle(particle)) {
+      const Real poisson_ratio = 0.5 * lambda / (lambda + mu);
+      found.across += 2 * mu * (1 + poisson_ratio) * plastic(particle).trace() / (1 - 2 * poisson_ratio);  // -E p_zz
+    }
+  }
+  return found;
+}
+
 template <int D>
 bool GroundStrength<D>::is_ruptured(Index particle) const {
   return ground(particle).yields && slip_[at(particle)] >= ground(particle).rupture_strain;

@@ -18,6 +18,14 @@ struct StrengthOfGround {
   std::vector<laws::OverlayPart> parts = {};  ///< of soil that degrades with strain, without a strength; else none
 };
 
+/// Strain of a particle since its unstressed state and its stress, in space.
+template <int D>
+struct ParticleTensors {
+  Rotation<D> strain = Rotation<D>::Zero();  ///< [-]
+  Rotation<D> stress = Rotation<D>::Zero();  ///< tension is positive [Pa]
+  Real across = 0;                           ///< stress across the plane, in 2-D [Pa]
+};
+
 /// Strains of particles from their links, and the plastic strains that keep the stresses within the strength.
 ///
 ///     e = sym(R^T H S^-1) - 1 - e_p,   H = sum_j g r r0^T,   S = sum_j g r0 r0^T,   g = d w/(n0 |r0|^2)
@@ -55,6 +63,8 @@ public:
 
   /// Stress of a particle, in space; none where its links do not span the space.
   Rotation<D> stress(const state::Particles<D>& particles, const Tensors<D>& stretch, Index particle) const;
+  /// The same with the strain, which is all of it, elastic and plastic.
+  ParticleTensors<D> tensors(const state::Particles<D>& particles, const Tensors<D>& stretch, Index particle) const;
 
   /// To be called when links of a particle have changed.
   void measure(Index particle, const LinkTable<D>& links);

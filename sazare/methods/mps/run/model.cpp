@@ -127,6 +127,12 @@ std::string check_step(const cases::CaseFile& file, const MpsModel<D>& model) {
 
 }  // namespace
 
+std::vector<methods::mps::StrengthOfGround> strengths_of(const cases::MpsCase& mps) {
+  std::vector<methods::mps::StrengthOfGround> grounds;
+  for (const cases::Ground& ground : mps.materials) grounds.push_back(strength_of(ground));
+  return grounds;
+}
+
 template <int D>
 MpsParts<D> lay_out(const cases::MpsCase& mps, Filling<D> filling, const Site<D>& period) {
   MpsParts<D> parts;
@@ -164,12 +170,10 @@ std::unique_ptr<particles::ParticleForces<D>> MpsParts<D>::forces(const cases::M
   if (std::ranges::none_of(mps.materials, [](const cases::Ground& ground) { return ground.fails(); }))
     return std::make_unique<methods::mps::ElasticForces<D>>(links,
                                                             static_cast<methods::mps::RotationRemoval>(mps.particles.rotation));
-  std::vector<methods::mps::StrengthOfGround> grounds;
-  for (const cases::Ground& ground : mps.materials) grounds.push_back(strength_of(ground));
   methods::mps::LooseRules rules{.step = step, .damping_ratio = mps.contact.damping_ratio, .period = {}};
   for (std::size_t axis = 0; axis < D; ++axis) rules.period[axis] = period[axis] * particles.spacing;
   return std::make_unique<methods::mps::FailingForces<D>>(
-      particles, links, methods::mps::GroundStrength<D>(particles, links, std::move(grounds), material), rules);
+      particles, links, methods::mps::GroundStrength<D>(particles, links, strengths_of(mps), material), rules);
 }
 
 template <int D>
@@ -219,6 +223,10 @@ MpsModel<D> build_mps(const cases::CaseFile& file, const std::optional<MpsCoupli
   if (!coupling) model.warning += warn_of_loose_parts<D>(file, parts);  // else the surface may hold them
   std::unique_ptr<particles::ParticleForces<D>> forces = parts.forces(mps, model.step);
   model.failing = dynamic_cast<const methods::mps::FailingForces<D>*>(forces.get());
+  if (const auto* elastic = dynamic_cast<const methods::mps::ElasticForces<D>*>(forces.get()))
+    model.links = &elastic->links();
+  else
+    model.links = &model.failing->links();
   if (coupling) {
     const methods::mps::SurfaceRules rules{model.step, mps.contact.damping_ratio, coupling->friction};
     auto at_surface = std::make_unique<methods::mps::GroundAtSurface<D>>(std::move(forces), model.failing, waves, rules);

@@ -40,12 +40,16 @@ struct MpsModel {
   std::string warning;             ///< about the step, ready to print; empty when there is none
   std::unique_ptr<particles::UniformStepper<D>> stepper;
   const methods::mps::FailingForces<D>* failing = nullptr;  ///< of the stepper's forces, where the ground has a strength
+  const methods::mps::LinkTable<D>* links = nullptr;        ///< of the stepper's forces, as they are now
   methods::mps::GroundAtSurface<D>* at_surface = nullptr;   ///< of the stepper's forces, in a coupling
   methods::mps::FreeFieldForces<D>* free_field = nullptr;   ///< the stepper's forces, where there are free-field sides
 
   /// The predicted limit of the case's integrator [s].
   Real stable_step(const cases::MpsTime& time) const { return limit_of(limit, time); }
 };
+
+/// What the particles of each material of a case are made of.
+std::vector<methods::mps::StrengthOfGround> strengths_of(const cases::MpsCase& mps);
 
 /// What a model is made of, before a step is chosen.
 template <int D>
