@@ -200,7 +200,7 @@ def stresses(results):
     frame = _holding([points[:, columns]], 0.04, STRAY, each_axis=True)
     ratio = np.ptp(frame, axis=0)[1] / np.ptp(frame, axis=0)[0]
     tall = ratio > 1.0
-    fields = [("equivalent_shear_strain", "equivalent shear strain", ""), ("von_mises_stress", "von Mises stress", "Pa"), ("pressure", "pressure (minus the mean stress)", "Pa")]
+    fields = [("equivalent_shear_strain", "equivalent shear strain", ""), ("von_mises_stress", "von Mises stress", "Pa"), ("pressure", "pressure", "Pa")]
     room = (2.4, 4.6) if tall else (7.2, min(7.2 * ratio, 3.2))
     shape = (1, len(fields)) if tall else (len(fields), 1)
     figure = style.figure(9.0, 5.4 if tall else 0.3 + len(fields) * (room[1] + 0.6))

@@ -192,12 +192,12 @@ bool GroundStrength<D>::flow_one(const state::Particles<D>& particles, const Ten
   if (inverse_[0][i] == 0) return false;
   const Rotation<D> elastic = elastic_strain(particles, stretch, i);
   const auto [largest, smallest] = extreme_stresses<D>(ground.elastic, elastic);
-  if (ground.law.bears(largest, smallest)) return false;
+  if (ground.strength(slip_[i]).bears(largest, smallest)) return false;
   Eigen::SelfAdjointEigenSolver<Rotation<D>> solver;
   solver.computeDirect(elastic);
   std::array<Real, D> strain;
   for (int axis = 0; axis < D; ++axis) strain[static_cast<std::size_t>(axis)] = solver.eigenvalues()[axis];
-  const auto flow = laws::plastic_flow<D>(ground.law, ground.elastic, strain);
+  const auto flow = laws::softening_flow<D>(ground.law, ground.softening, ground.elastic, slip_[i], strain);
   if (!(flow.slip > 0)) return false;
   Vector<D> part;
   for (std::size_t axis = 0; axis < D; ++axis) part[static_cast<int>(axis)] = flow.strain[axis];

@@ -3,6 +3,7 @@
 /// Ground that flows: each particle remembers a plastic strain, to which its links relax. It flows where it reaches a strength,
 /// or degrades with strain (degrading_ground.hpp).
 
+#include "sazare/laws/cohesion_softening.hpp"
 #include "sazare/laws/mohr_coulomb.hpp"
 #include "sazare/methods/mps/degrading_ground.hpp"
 
@@ -16,6 +17,10 @@ struct StrengthOfGround {
   Real density = 0;         ///< [kg/m3]
   Real rupture_strain = 0;  ///< slip at which links break [-]
   std::vector<laws::OverlayPart> parts = {};  ///< of soil that degrades with strain, without a strength; else none
+  laws::CohesionSoftening softening = {};     ///< of the law's cohesion with slip
+
+  /// The strength after a slip.
+  laws::MohrCoulomb strength(Real slip) const { return softening.at(law, slip); }
 };
 
 /// Strain of a particle since its unstressed state and its stress, in space.

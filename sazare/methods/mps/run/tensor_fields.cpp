@@ -12,14 +12,18 @@ namespace {
 /// xy, yz, zx; xy alone in the plane.
 template <int D>
 Vector3 off_diagonal(const Rotation<D>& tensor) {
-  if constexpr (D == 2) return {tensor(0, 1), 0, 0};
-  else return {tensor(0, 1), tensor(1, 2), tensor(2, 0)};
+  if constexpr (D == 2)
+    return {tensor(0, 1), 0, 0};
+  else
+    return {tensor(0, 1), tensor(1, 2), tensor(2, 0)};
 }
 
 template <int D>
 Vector3 diagonal(const Rotation<D>& tensor, Real across) {
-  if constexpr (D == 2) return {tensor(0, 0), tensor(1, 1), across};
-  else return tensor.diagonal();
+  if constexpr (D == 2)
+    return {tensor(0, 0), tensor(1, 1), across};
+  else
+    return tensor.diagonal();
 }
 
 /// The square of the size of a deviator: of its diagonal, and of what stands beside it.
@@ -33,7 +37,8 @@ Real square_of_deviator(const Vector3& normal, const Vector3& shear) {
 template <int D>
 const methods::mps::GroundStrength<D>& TensorFields<D>::ground() {
   if (model_->failing != nullptr) return model_->failing->strength();
-  if (!elastic_) elastic_.emplace(model_->stepper->particles(), *model_->links, strengths_of(*mps_), model_->material);
+  if (!elastic_)
+    elastic_.emplace(model_->stepper->particles(), *model_->links, strengths_of<D>(*mps_, *model_->links), model_->material);
   return *elastic_;
 }
 
