@@ -8,6 +8,7 @@ from sazare import style
 from sazare.ground_motion.gauges import base_of, gauge_motions, input_axes, residual, stacks, tilt, up_axis
 from sazare.ground_motion.intensity import arias_intensity, husid
 from sazare.ground_motion.pictures import COLOURS, add_gal
+from sazare.ground_motion.profiles import shear_history_of
 from sazare.ground_motion.record import GAL
 from sazare.ground_motion.spectra import response_spectrum, usual_periods
 
@@ -145,14 +146,17 @@ def husid_curves(results):
 
 @style.styled
 def profiles(results):
-    """Peak acceleration [m/s2], velocity [m/s] and displacement [m] of gauges above each other, against their height [m]."""
+    """Peak acceleration [m/s2], velocity [m/s] and displacement [m] of gauges above each other, against their height [m], and below the peak
+    shear strain [-] and shear stress [Pa] between them, where the motion is horizontal."""
     motions = gauge_motions(results)
     found = stacks(results, motions) if motions else []
     if not found:
         return None
     axis, up = main_axis(results), up_axis(results, motions)
-    figure = style.figure(9.0, 4.2)
-    panels = figure.subplots(1, 3, sharey=True)
+    sheared = [] if axis == up else [one for stack in found if (one := shear_history_of(results, stack, axis, up)) is not None]
+    figure = style.figure(9.0, 4.2 if not sheared else 8.0)
+    grid = figure.subplots(1 + bool(sheared), 3, sharey=True, squeeze=False)
+    panels = grid[0]
     for stack, colour in zip(found, COLOURS):
         heights = [motion.point[up] for motion in stack]
         label = f"{stack[0].name} to {stack[-1].name}"
@@ -167,7 +171,27 @@ def profiles(results):
     panels[0].set_ylabel(f"{AXES[up]} [m]")
     if len(found) > 1:
         panels[-1].legend()
+    if sheared:
+        _draw_shear(grid[1], sheared, f"{AXES[up]} [m]")
     return figure
+
+
+def _draw_shear(panels, sheared, label):
+    """Peak strain and stress of each stack; panels without data are taken away."""
+    percent = 100.0
+    stresses = [(one, colour) for one, colour in zip(sheared, COLOURS) if one.stress is not None]
+    for one, colour in zip(sheared, COLOURS):
+        panels[0].plot(percent * np.abs(one.strain).max(axis=0), one.height, "s-", color=colour, linewidth=1.2, markersize=4)
+    panels[0].set_xlabel("peak shear strain [%]")
+    panels[0].set_ylabel(label)
+    factor, prefix = style.prefix_of(*(one.stress for one, _ in stresses)) if stresses else (1.0, "")
+    for one, colour in stresses:
+        panels[1].plot(np.abs(one.stress).max(axis=0) / factor, one.height, "s-", color=colour, linewidth=1.2, markersize=4)
+    panels[1].set_xlabel(f"peak shear stress [{prefix}Pa]")
+    for axes in panels[:2]:
+        axes.set_xlim(left=0.0)
+    for axes in panels[1 + bool(stresses) :]:
+        axes.set_axis_off()
 
 
 @style.styled

@@ -34,6 +34,7 @@ All output of a run, in SI units. A column's name ends with its unit, as in `tim
 | `checkpoint/state.h5` | during the run: the state from which `--resume` continues |
 | `report.html`, `report/` | made by `sazare report` |
 | `ground_motion.csv` | made by `sazare report` of methods `mps` and `fem`: figures of the motion at each of `[[gauges]]` |
+| `profiles.csv` | made by `sazare report` of methods `mps` and `fem`: peak shear between gauges that stand above each other |
 | `continuum/`, `bodies/` | method `hybrid`: the folder of each solver side |
 
 Files are written under a temporary name and renamed when they are complete, or grow row by row: a file under its own name can always be
@@ -76,6 +77,19 @@ figure means is told in [ground motions](../guide/ground-motions.md).
 | `peak_relative_displacement` | m | relative to the base |
 | `residual_displacement` | m | relative to the base, at the end, where the gauge has come to rest against it: over the last fiftieth of the run its relative velocity is below 1 % of its peak |
 | `residual_tilt` | rad | angle by which the line from the base to the gauge has turned, where there is a residual displacement |
+
+## profiles.csv
+
+A row for every two neighbouring gauges that stand above each other, and every horizontal axis along which gauges move.
+
+| column | unit | |
+|---|---|---|
+| `below` | | name of the lower gauge |
+| `above` | | name of the upper gauge |
+| `axis` | | x, y or z |
+| `height` | m | of the middle between them |
+| `peak_shear_strain` | - | difference of their displacements over their distance |
+| `peak_shear_stress` | Pa | which moves the ground above the middle: the integral of density times acceleration; of `mps`, whose snapshots tell the density, else `nan` |
 )";
 
 constexpr const char* snapshots_head = R"(

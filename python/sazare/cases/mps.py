@@ -84,6 +84,14 @@ class Material(Part):
     """Equivalent plastic shear strain (engineering) or tensile opening at which the ground breaks: it then has friction, but no
     cohesion and no links. (only with a cohesion) Default: 0.1. Greater than 0.
     """
+    residual_cohesion: float | None = None
+    """Cohesion to which that of ground that yields falls; the tensile strength falls with it. [Pa] (only with a cohesion, and
+    with a softening_displacement; default: the cohesion stays) At least 0.
+    """
+    softening_displacement: float | None = None
+    """Slip across a shear band over which the strength would fall to the residual one at the rate at which it begins to; it does
+    not depend on the spacing. [m] (required with a residual_cohesion) Greater than 0.
+    """
     backbone: Literal["hyperbolic", "ramberg_osgood", "table"] | None = None
     """Soil that degrades with shear strain and dissipates by Masing's rules: stress of a first loading in shear, a hyperbola, the
     curve of Ramberg and Osgood, or a table of G/G0. G0 is the shear modulus of the elastic material. (default: the stiffness

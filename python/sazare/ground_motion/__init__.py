@@ -21,13 +21,15 @@ from sazare.ground_motion.intensity import (
     arias_intensity, cumulative_absolute_velocity, figures, husid, mean_period, peak_acceleration, peak_displacement, peak_velocity,
     predominant_period, si_value, significant_duration, spectrum_intensity,
 )
+from sazare.ground_motion.profiles import ShearHistory, profile_table, shear_history, shear_history_of
 from sazare.ground_motion.record import GRAVITY, Record, from_samples, read_record, write_record
 from sazare.ground_motion.spectra import ResponseSpectrum, fourier_amplitude, response_spectrum, usual_periods
 
 __all__ = [
-    "BASE_OUTCROP", "BASE_WITHIN", "GRAVITY", "SURFACE", "Column", "Layer", "Place", "Record", "ResponseSpectrum", "arias_intensity", "butterworth",
+    "BASE_OUTCROP", "BASE_WITHIN", "GRAVITY", "SURFACE", "Column", "Layer", "Place", "Record", "ResponseSpectrum", "ShearHistory", "arias_intensity", "butterworth",
     "cumulative_absolute_velocity", "end_at_rest", "factor_for_spectrum", "figures", "fourier_amplitude", "from_samples", "husid", "mean_period",
-    "peak_acceleration", "peak_displacement", "peak_velocity", "predominant_period", "read_column", "read_record", "read_target_spectrum", "resample",
-    "response_spectrum", "scale_to_peak", "si_value", "significant_duration", "spectrum_intensity", "take_off_baseline", "usual_periods",
+    "peak_acceleration", "peak_displacement", "peak_velocity", "predominant_period", "profile_table", "read_column", "read_record", "read_target_spectrum", "resample",
+    "response_spectrum", "scale_to_peak", "shear_history",
+    "shear_history_of", "si_value", "significant_duration", "spectrum_intensity", "take_off_baseline", "usual_periods",
     "write_record", "write_spectra",
 ]

@@ -46,7 +46,8 @@ def gauge_motions(results):
     return [GaugeMotion(name, points.get(name), time, *(columns(name, quantity) for quantity in ("displacement", "velocity", "acceleration"))) for name in names]
 
 
-def _case(results):
+def case_of(results):
+    """The case of a run as a dict; {} where it cannot be read."""
     try:
         return tomllib.loads(results.case_text)
     except tomllib.TOMLDecodeError:
@@ -56,7 +57,7 @@ def _case(results):
 def _points(results):
     """Initial positions [m] by the name of the gauge, as far as the case tells them."""
     found = {}
-    gauges = _case(results).get("gauges")
+    gauges = case_of(results).get("gauges")
     for gauge in gauges if isinstance(gauges, list) else []:
         point = gauge.get("point") if isinstance(gauge, dict) else None
         if isinstance(point, list) and len(point) == 3 and all(isinstance(value, int | float) for value in point):
@@ -66,7 +67,7 @@ def _points(results):
 
 def up_axis(results, motions):
     """The axis that points upwards, 1 or 2: against gravity, or z where the gauges differ in it, or y."""
-    gravity = _case(results).get("gravity")
+    gravity = case_of(results).get("gravity")
     pull = gravity.get("acceleration") if isinstance(gravity, dict) else None
     if isinstance(pull, list) and len(pull) == 3 and any(pull):
         return int(np.argmax(np.abs(np.array(pull, dtype=float))))
@@ -76,7 +77,7 @@ def up_axis(results, motions):
 
 def input_axes(results):
     """The axes (0 to 2) along which the case moves something: supports and sides that follow one of its motions, and waves that come in."""
-    entries = [entry for table in _case(results).values() if isinstance(table, list) for entry in table if isinstance(entry, dict)]
+    entries = [entry for table in case_of(results).values() if isinstance(table, list) for entry in table if isinstance(entry, dict)]
     return [axis for axis, letter in enumerate(AXES) if any(entry.get(f"motion_{letter}") for entry in entries)]
 
 

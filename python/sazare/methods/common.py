@@ -6,6 +6,7 @@ import numpy as np
 
 from sazare import plot, shaking
 from sazare.ground_motion.gauges import gauge_table
+from sazare.ground_motion.profiles import profile_table
 from sazare.methods import Section
 from sazare.style import count, quantity, round_factor
 
@@ -64,7 +65,8 @@ def shaking_sections(results):
             partial(shaking.husid_curves, results), NO_ACCELERATIONS,
         ),
         Section(
-            "profiles", "Peaks over height", "Largest acceleration, velocity and displacement of gauges that stand above each other.",
+            "profiles", "Peaks over height", "Largest acceleration, velocity and displacement of gauges that stand above each other; below, the largest shear strain between "
+            "neighbouring ones, and the shear stress that the motion of the ground above needs, where its density is known.",
             partial(shaking.profiles, results), "No two gauges with accelerations stand above each other, or the case does not tell where they are.",
         ),
         Section(
@@ -76,7 +78,7 @@ def shaking_sections(results):
 
 def shaking_tables(results):
     """Figures of the motion at the gauges, beside the report."""
-    return {"ground_motion.csv": gauge_table(results)}
+    return {"ground_motion.csv": gauge_table(results), "profiles.csv": profile_table(results)}
 
 
 def enlargement(displacement, extent, largest, shown):

@@ -186,6 +186,39 @@ def failure(results):
     return figure
 
 
+@style.styled
+def stresses(results):
+    """Equivalent shear strain [-], shear and mean stress [Pa] of the particles in the snapshot in which the ground is sheared most; None without them."""
+    snapshots = results.particle_snapshots
+    if not len(snapshots) or "equivalent_shear_strain" not in snapshots[-1].elements.cell_data:
+        return None
+    sheared = [float(np.percentile(elements_once(snapshot).cell_data["equivalent_shear_strain"], USUAL)) for snapshot in snapshots]
+    most = int(np.argmax(sheared))
+    grid = snapshots[most].elements
+    points = np.asarray(grid.points)
+    columns = [0, _up(points)]
+    frame = _holding([points[:, columns]], 0.04, STRAY, each_axis=True)
+    ratio = np.ptp(frame, axis=0)[1] / np.ptp(frame, axis=0)[0]
+    tall = ratio > 1.0
+    fields = [("equivalent_shear_strain", "equivalent shear strain", ""), ("von_mises_stress", "von Mises stress", "Pa"), ("pressure", "pressure", "Pa")]
+    room = (2.4, 4.6) if tall else (7.2, min(7.2 * ratio, 3.2))
+    shape = (1, len(fields)) if tall else (len(fields), 1)
+    figure = style.figure(9.0, 5.4 if tall else 0.3 + len(fields) * (room[1] + 0.6))
+    for axes, (name, label, unit) in zip(np.ravel(figure.subplots(*shape, squeeze=False, sharex=True, sharey=True)), fields):
+        values = np.asarray(grid.cell_data[name])
+        top, clipped = style.clipped_top(np.abs(values))
+        factor, prefix = style.prefix_for(top) if unit else (1.0, "")
+        low = -top if values.min(initial=0.0) < -0.02 * top else 0.0
+        drawn = axes.scatter(*points[:, columns].T, c=values / factor, cmap=style.SPEED, vmin=low / factor, vmax=top / factor, s=_marker(grid, frame, room), linewidths=0)
+        _show(axes, frame, columns[1])
+        if ratio > SLENDER:
+            axes.set_aspect("auto")
+        axes.set_title(label)
+        style.colorbar(figure, drawn, axes, f"[{prefix}{unit or '-'}]", clipped)
+    figure.suptitle(style.quantity(snapshots[most].time, "s"))
+    return figure
+
+
 def run_out(start, end, spacing):
     """How far the front of a mass that has moved came, in which direction, and how high the mass lies: (run-out [m], words such as "+x",
     height [m], height at the start [m]); None where nothing has moved by more than twice the spacing. Of several masses, such as the two
@@ -254,6 +287,10 @@ def sections(results):
             "the title says so; single particles far from the others are out of the picture.",
             partial(displaced, results), common.NO_SNAPSHOTS,
         ),
+        Section(
+            "stresses", "Stress and strain", "Equivalent shear strain, von Mises stress and pressure of the particles, in the snapshot in which the ground is sheared most.",
+            partial(stresses, results), common.NO_SNAPSHOTS,
+        ),
         *failing,
         Section(
             "energies", "Energy balance",
@@ -311,6 +348,9 @@ METHOD = Method(
         "plastic_shear_strain": ("equivalent plastic shear strain", ""),
         "broken_fraction": ("share of broken links", ""),
         "shear_strain_max": ("largest shear strain", ""),
+        "equivalent_shear_strain": ("equivalent shear strain", ""),
+        "von_mises_stress": ("von Mises stress", "Pa"),
+        "pressure": ("pressure", "Pa"),
         "acceleration": ("acceleration", "m/s²"),
     },
     tables=common.shaking_tables,

@@ -65,7 +65,7 @@ def test_without_data_there_is_no_picture(tmp_path):
     (tmp_path / "manifest.json").write_text("{}")
     results = open_run(tmp_path)
     assert mps.measured(results) == []
-    for draw in (shaking.accelerations, shaking.spectra, mps.displaced, mps.failure, mps.supports):
+    for draw in (shaking.accelerations, shaking.spectra, mps.displaced, mps.failure, mps.stresses, mps.supports):
         assert draw(results) is None
 
 
@@ -146,3 +146,22 @@ def test_the_energies_have_their_work_and_residual(slide):
     work = next(line for line in upper.lines if line.get_label() == "external work")
     assert work.get_ydata().tolist() == [0.0, 4.0, 8.0]
     assert lower.lines[0].get_ydata()[1:] == pytest.approx([0.01, 0.01])
+
+
+def test_stress_and_strain_are_those_of_the_snapshot_that_is_sheared_most(slide):
+    assert mps.stresses(slide) is None, "its snapshots have no stress"
+    start = heap()
+    for number, sheared in enumerate((0.0, 2e-3, 1e-3)):
+        field = np.full(len(start), sheared)
+        write_grid(slide.path / "snapshots" / f"particles_{number:05d}.vtkhdf", start, np.arange(len(start))[:, None], 1, float(number), {
+            "displacement": np.zeros_like(start), "spacing": np.full(len(start), SPACING), "equivalent_shear_strain": field,
+            "von_mises_stress": 5e7 * field, "pressure": 1e3 * (1.0 - start[:, 1]),
+        })
+    figure = mps.stresses(open_run(slide.path))
+    assert figure.get_suptitle() == "1 s"
+    strain, stress, pressure = (np.asarray(axes.collections[0].get_array()) for axes in figure.axes[:3])
+    assert strain == pytest.approx(np.full(len(start), 2e-3))
+    assert stress == pytest.approx(np.full(len(start), 100.0)), "in kPa"
+    assert pressure == pytest.approx(1e3 * (1.0 - start[:, 1]))
+    bars = [axes.get_ylabel() for axes in figure.axes[3:]]
+    assert bars[0].startswith("[-]") and bars[1].startswith("[kPa]") and bars[2].startswith("[Pa]")

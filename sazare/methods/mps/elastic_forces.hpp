@@ -15,6 +15,8 @@ public:
   Real energy(const state::Particles<D>& particles) override;
   void columns(Archive&) override {}
 
+  const LinkTable<D>& links() const { return links_; }
+
 private:
   LinkTable<D> links_;
   RotationRemoval removal_;

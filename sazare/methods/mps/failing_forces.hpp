@@ -32,6 +32,7 @@ public:
   Real energy(const state::Particles<D>& particles) override;
   void columns(Archive& archive) override;
 
+  const LinkTable<D>& links() const { return links_; }
   const GroundStrength<D>& strength() const { return strength_; }
   const GatheredGround<D>& gathered() const { return gathered_; }
   FailureWork work() const {

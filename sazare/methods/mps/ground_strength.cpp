@@ -192,12 +192,12 @@ bool GroundStrength<D>::flow_one(const state::Particles<D>& particles, const Ten
   if (inverse_[0][i] == 0) return false;
   const Rotation<D> elastic = elastic_strain(particles, stretch, i);
   const auto [largest, smallest] = extreme_stresses<D>(ground.elastic, elastic);
-  if (ground.law.bears(largest, smallest)) return false;
+  if (ground.strength(slip_[i]).bears(largest, smallest)) return false;
   Eigen::SelfAdjointEigenSolver<Rotation<D>> solver;
   solver.computeDirect(elastic);
   std::array<Real, D> strain;
   for (int axis = 0; axis < D; ++axis) strain[static_cast<std::size_t>(axis)] = solver.eigenvalues()[axis];
-  const auto flow = laws::plastic_flow<D>(ground.law, ground.elastic, strain);
+  const auto flow = laws::softening_flow<D>(ground.law, ground.softening, ground.elastic, slip_[i], strain);
   if (!(flow.slip > 0)) return false;
   Vector<D> part;
   for (std::size_t axis = 0; axis < D; ++axis) part[static_cast<int>(axis)] = flow.strain[axis];
@@ -236,6 +236,27 @@ Rotation<D> GroundStrength<D>::stress(const state::Particles<D>& particles, cons
   const laws::Elasticity& elastic = ground(particle).elastic;
   const Rotation<D> own = 2 * elastic.shear_modulus * strain + elastic.lame * strain.trace() * Rotation<D>::Identity();
   return rotation * own * rotation.transpose();
+}
+
+/// Of soil that degrades e_p holds p + nu p_zz 1 (degrading_ground.hpp), whose trace is -(1 - 2 nu) p_zz.
+template <int D>
+ParticleTensors<D> GroundStrength<D>::tensors(const state::Particles<D>& particles, const Tensors<D>& stretch,
+                                              Index particle) const {
+  const std::size_t i = at(particle);
+  if (inverse_[0][i] == 0) return {};
+  const Rotation<D> elastic = elastic_strain(particles, stretch, i), rotation = rotation_of(particles, i);
+  ParticleTensors<D> found;
+  found.strain = rotation * (elastic + read<D>(plastic_, i)) * rotation.transpose();
+  found.stress = stress(particles, stretch, particle);
+  if constexpr (D == 2) {
+    const auto [mu, lambda] = ground(particle).elastic;
+    found.across = lambda * elastic.trace();
+    if (degrading_.holds_particle(particle)) {
+      const Real poisson_ratio = 0.5 * lambda / (lambda + mu);
+      found.across += 2 * mu * (1 + poisson_ratio) * plastic(particle).trace() / (1 - 2 * poisson_ratio);  // -E p_zz
+    }
+  }
+  return found;
 }
 
 template <int D>

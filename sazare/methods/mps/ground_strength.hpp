@@ -3,6 +3,7 @@
 /// Ground that flows: each particle remembers a plastic strain, to which its links relax. It flows where it reaches a strength,
 /// or degrades with strain (degrading_ground.hpp).
 
+#include "sazare/laws/cohesion_softening.hpp"
 #include "sazare/laws/mohr_coulomb.hpp"
 #include "sazare/methods/mps/degrading_ground.hpp"
 
@@ -16,6 +17,18 @@ struct StrengthOfGround {
   Real density = 0;         ///< [kg/m3]
   Real rupture_strain = 0;  ///< slip at which links break [-]
   std::vector<laws::OverlayPart> parts = {};  ///< of soil that degrades with strain, without a strength; else none
+  laws::CohesionSoftening softening = {};     ///< of the law's cohesion with slip
+
+  /// The strength after a slip.
+  laws::MohrCoulomb strength(Real slip) const { return softening.at(law, slip); }
+};
+
+/// Strain of a particle since its unstressed state and its stress, in space.
+template <int D>
+struct ParticleTensors {
+  Rotation<D> strain = Rotation<D>::Zero();  ///< [-]
+  Rotation<D> stress = Rotation<D>::Zero();  ///< tension is positive [Pa]
+  Real across = 0;                           ///< stress across the plane, in 2-D [Pa]
 };
 
 /// Strains of particles from their links, and the plastic strains that keep the stresses within the strength.
@@ -55,6 +68,8 @@ public:
 
   /// Stress of a particle, in space; none where its links do not span the space.
   Rotation<D> stress(const state::Particles<D>& particles, const Tensors<D>& stretch, Index particle) const;
+  /// The same with the strain, which is all of it, elastic and plastic.
+  ParticleTensors<D> tensors(const state::Particles<D>& particles, const Tensors<D>& stretch, Index particle) const;
 
   /// To be called when links of a particle have changed.
   void measure(Index particle, const LinkTable<D>& links);

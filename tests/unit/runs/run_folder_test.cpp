@@ -82,7 +82,7 @@ TEST(RunFolder, OverwritingRemovesTheRunAndNothingElse) {
   const fs::path run = folder / "run";
   for (const char* name : {"manifest.json", "history.csv", "checkpoint/state.h5", "snapshots/elements_00007.vtkhdf",
                            "snapshots/.joints_00007.vtkhdf.part", "snapshots/elements.vtkhdf.series", "report.html",
-                           "ground_motion.csv", "report/energy.png"})
+                           "ground_motion.csv", "profiles.csv", "report/energy.png"})
     sazare::test::write_text(run / name, "old");
   sazare::test::write_text(run / "notes.txt", "mine");
   sazare::test::write_text(run / "snapshots/picture.png", "mine");

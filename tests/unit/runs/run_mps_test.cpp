@@ -137,6 +137,35 @@ TEST(run_mps, tells_of_slopes_that_are_too_coarse_to_judge_their_rest) {
   EXPECT_FALSE(is_coarse("0.5", "1", "true", strength));
 }
 
+/// What `check` says of a layer whose cohesion of 20 kPa falls to 4 kPa, a line a word; mu is 2e7 Pa.
+std::string softening_words(const std::string& spacing, const std::string& softening) {
+  const std::string text =
+      "[case]\ntitle = \"t\"\nmethod = \"mps\"\n[particles]\nspacing = " + spacing +
+      "\n[[regions]]\nname = \"soil\"\nlower = [0.0, 0.0, 0.0]\nupper = [16.0, 16.0, 0.0]\n[[materials]]\nname = \"ground\"\n"
+      "regions = [\"soil\"]\ndensity = 2000.0\ns_wave_velocity = 100.0\np_wave_velocity = 200.0\ncohesion = 20e3\n"
+      "friction_angle = 0.0\nresidual_cohesion = 4e3\n" +
+      softening + "[[boundaries]]\nside = \"bottom\"\nkind = \"fixed\"\n[time]\nend = 0.1\nhistory_interval = 0.01\n";
+  try {
+    return registry::check_case(registry::read_case_text(text, "case.toml"));
+  } catch (const UserError& error) {
+    return error.what();
+  }
+}
+
+TEST(run_mps, tells_of_softening_and_refuses_what_its_particles_do_not_resolve) {
+  const auto has = [](const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; };
+  const std::string never = "rupture_strain = 1e9\n", slow = "softening_displacement = 0.1\n",
+                    fast = "softening_displacement = 2e-3\n";
+  const std::string fine = softening_words("0.5", never + slow);
+  EXPECT_TRUE(has(fine, "cohesion falls to 4000 Pa, at first over a slip of 0.1 m across a band")) << fine;
+  EXPECT_TRUE(has(fine, "ground: to a plastic shear strain of 0.0157, in a band 6.35 m wide; spacing at most 4.13 m")) << fine;
+  const std::string coarse = softening_words("0.5", never + fast);
+  EXPECT_TRUE(has(coarse, "particles of 0.5 m do not resolve the softening of \"ground\" over 0.002 m")) << coarse;
+  EXPECT_TRUE(has(coarse, "a spacing of 0.0827 m or less would do, or a softening_displacement of 0.0121 m or more")) << coarse;
+  const std::string brittle = softening_words("0.5", "rupture_strain = 0.01\n" + slow);
+  EXPECT_TRUE(has(brittle, "breaks at a plastic shear strain of 0.01, before its cohesion has fallen, at 0.0157")) << brittle;
+}
+
 /// A coarse slope in which links break.
 cases::CaseFile slope() {
   const std::vector<std::string> settings = {"particles.spacing=2", "materials.0.rupture_strain=2e-3", "time.end=3",

@@ -55,7 +55,10 @@ struct Ground : SoilBackbone {
   Real dilation_angle = 0;    // degrees
   std::optional<Real> tensile_strength;  // Pa; without it the tip of the strength
   Real rupture_strain = 0;
+  std::optional<Real> residual_cohesion;  // Pa; without it the cohesion stays
+  Real softening_displacement = 0;        // m
 
+  bool softens() const { return yields && residual_cohesion.value_or(cohesion) < cohesion; }
   Real shear_modulus() const { return density * s_wave_velocity * s_wave_velocity; }  // Pa
   bool fails() const { return yields || degrades; }
 };

@@ -132,6 +132,20 @@ void check_materials(const CheckContext& context, const MpsCase& mps) {
                              "name it in the regions of one of the [[materials]]");
 }
 
+/// Whether the particles can resolve it, the model says.
+void check_softening(const CheckContext& context, const Entry& entry, const Ground& ground) {
+  if (!entry.has("residual_cohesion")) {
+    check_keys(context, entry, "a cohesion that stays", {}, {"softening_displacement"}, "give a residual_cohesion, or remove it");
+    return;
+  }
+  check_keys(context, entry, "a residual_cohesion", {"softening_displacement"}, {});
+  if (!entry.is_sound("residual_cohesion") || !entry.is_sound("cohesion") || *ground.residual_cohesion <= ground.cohesion) return;
+  context.problems.error(entry.place("residual_cohesion"),
+                         fmt::format("residual_cohesion must be at most cohesion = {} Pa, found {}",
+                                     short_number(ground.cohesion), short_number(*ground.residual_cohesion)),
+                         "ground that hardens with shear is not there");
+}
+
 void check_strengths(const CheckContext& context, MpsCase& mps) {
   const auto list = context.entries_of("materials");
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -141,12 +155,14 @@ void check_strengths(const CheckContext& context, MpsCase& mps) {
                ground);
     if (!ground.yields) {
       check_keys(context, entry, "a material without cohesion", {},
-                 {"friction_angle", "dilation_angle", "tensile_strength", "rupture_strain"},
+                 {"friction_angle", "dilation_angle", "tensile_strength", "rupture_strain", "residual_cohesion",
+                  "softening_displacement"},
                  "give the material a cohesion, 0.0 where it has none, or remove it");
       continue;
     }
     check_keys(context, entry, "a material with a cohesion", {"friction_angle"}, {});
     check_strength(context, entry, {ground.cohesion, ground.friction_angle, ground.dilation_angle, ground.tensile_strength.value_or(0)});
+    check_softening(context, entry, ground);
   }
 }
 

@@ -36,6 +36,10 @@ std::string explain(const MpsCase& mps) {
                                "break at a plastic shear strain of {}",
                                ground.name, number(ground.cohesion), number(ground.friction_angle), number(ground.dilation_angle),
                                cut_off_text(ground.tensile_strength), number(ground.rupture_strain)));
+  for (const Ground& ground : mps.materials)
+    if (ground.softens())
+      text += line("strength", fmt::format("{}: cohesion falls to {} Pa, at first over a slip of {} m across a band", ground.name,
+                                           number(*ground.residual_cohesion), number(ground.softening_displacement)));
   if (mps.damping.f2 > 0) text += line("damping", fmt::format("at {} and {} Hz", number(mps.damping.f1), number(mps.damping.f2)));
   text += explain_gravity(mps.gravity.acceleration);
   text += explain_motions(mps.motions, mps.time.end);

@@ -98,6 +98,9 @@ void visit_fields(Visitor& visit, Ground& ground) {
   visit("dilation_angle", ground.dilation_angle);
   visit("tensile_strength", ground.tensile_strength);
   visit("rupture_strain", ground.rupture_strain);
+  visit("residual_cohesion", ground.residual_cohesion);
+  if (visit.has("softening_displacement", ground.residual_cohesion.has_value()))
+    visit("softening_displacement", ground.softening_displacement);
 }
 
 template <class Visitor>

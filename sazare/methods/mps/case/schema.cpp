@@ -169,6 +169,21 @@ constexpr std::array own_material_keys{
         .sentence = "Equivalent plastic shear strain (engineering) or tensile opening at which the ground breaks: it then has "
                     "friction, but no "
                     "cohesion and no links."},
+    Key{.name = "residual_cohesion",
+        .type = Type::number,
+        .unit = "Pa",
+        .range = not_negative,
+        .usual = usual::strength,
+        .note = "only with a cohesion, and with a softening_displacement; default: the cohesion stays",
+        .sentence = "Cohesion to which that of ground that yields falls; the tensile strength falls with it."},
+    Key{.name = "softening_displacement",
+        .type = Type::number,
+        .unit = "m",
+        .range = positive,
+        .note = "required with a residual_cohesion",
+        .sentence =
+            "Slip across a shear band over which the strength would fall to the residual one at the rate at which it begins to; "
+            "it does not depend on the spacing."},
 };
 
 constexpr auto material_keys = joined(own_material_keys, soil_keys);

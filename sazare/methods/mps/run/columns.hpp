@@ -35,6 +35,14 @@ inline constexpr std::array particles = {
     Column{"material", "-", "number in the case"},
     Column{"spacing", "m", ""},
     Column{"support", "-", "0 free, 1 held, 2 moved by a prescribed motion, 3 on a viscous boundary, 4 on a free-field side"}};
+inline constexpr std::array tensors = {
+    Column{"normal_stress", "Pa", "xx, yy, zz; tension is positive; of each particle's own law"},
+    Column{"shear_stress", "Pa", "xy in 2-D; xy, yz, zx in 3-D"},
+    Column{"pressure", "Pa", "minus the mean of the normal stresses"},
+    Column{"von_mises_stress", "Pa", ""},
+    Column{"normal_strain", "-", "xx, yy, zz, since the unstressed state; extension is positive; 0 where the ground is broken"},
+    Column{"shear_strain", "-", "engineering; xy in 2-D; xy, yz, zx in 3-D; 0 where the ground is broken"},
+    Column{"equivalent_shear_strain", "-", "engineering; that of the simple shear which has as large a deviator"}};
 inline constexpr std::array failed_particles = {Column{"plastic_shear_strain", "-", "equivalent plastic shear strain"},
                                                 Column{"broken_fraction", "-", "share of its links that are broken"}};
 inline constexpr std::array degraded_particles = {

@@ -32,7 +32,7 @@ FolderTables tables_of_mps() {
                       {"`mps`, in a hybrid case", {columns::mps::surface}}},
           .gauges = {{"`gauges.csv` of `mps`", {columns::place_motion}}},
           .files = {},
-          .snapshots = {{"`particles` of `mps`", {columns::mps::particles}},
+          .snapshots = {{"`particles` of `mps`", {columns::mps::particles, columns::mps::tensors}},
                         {"of ground that fails also", {columns::mps::failed_particles, columns::mps::degraded_particles}}}};
 }
 

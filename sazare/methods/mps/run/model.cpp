@@ -44,16 +44,20 @@ std::vector<laws::OverlayPart> parts_of(const cases::Ground& ground) {
   return laws::OverlayModel<4>({ground.shear_modulus(), 0}, cases::backbone_of(ground, ground.shear_modulus())).parts();
 }
 
-methods::mps::StrengthOfGround strength_of(const cases::Ground& ground) {
+laws::MohrCoulomb peak_of(const cases::Ground& ground) {
   constexpr Real degree = std::numbers::pi / 180;
+  return laws::MohrCoulomb::make(ground.cohesion, ground.friction_angle * degree, ground.dilation_angle * degree,
+                                 ground.tensile_strength);
+}
+
+template <int D>
+methods::mps::StrengthOfGround strength_of(const cases::Ground& ground, const methods::mps::LinkTable<D>& links) {
   const Real mu = ground.shear_modulus();
-  return {ground.yields,
-          laws::MohrCoulomb::make(ground.cohesion, ground.friction_angle * degree, ground.dilation_angle * degree,
-                                  ground.tensile_strength),
-          {mu, ground.density * ground.p_wave_velocity * ground.p_wave_velocity - 2 * mu},
-          ground.density,
-          ground.rupture_strain,
-          parts_of(ground)};
+  methods::mps::StrengthOfGround strength{
+      ground.yields,  peak_of(ground),       {mu, ground.density * ground.p_wave_velocity * ground.p_wave_velocity - 2 * mu},
+      ground.density, ground.rupture_strain, parts_of(ground)};
+  if (ground.softens()) strength.softening = {*ground.residual_cohesion, band_of<D>(ground, links).strain()};
+  return strength;
 }
 
 /// Adds random velocities, which do not depend on the number of threads.
@@ -84,6 +88,32 @@ void check_limit(const cases::CaseFile& file, Real limit) {
     refuse(file, "materials",
            "no stability limit follows from the materials and the spacing: a frequency of the ground is not a number",
            "one of density, wave velocities, damping and spacing is too large or too small to be meant so: check their units");
+}
+
+/// Refuses softening that the particles do not resolve, and ground that breaks before it has softened.
+template <int D>
+void check_softening(const cases::CaseFile& file, const MpsParts<D>& parts) {
+  const auto& materials = file.as<cases::MpsCase>().materials;
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    if (!materials[i].softens()) continue;
+    const methods::mps::SofteningBand band = band_of<D>(materials[i], parts.links);
+    const Real spacing = parts.particles.spacing, largest = band.largest_spacing(spacing);
+    if (spacing > largest)
+      refuse(file, fmt::format("materials.{}.softening_displacement", i),
+             fmt::format(
+                 "particles of {} m do not resolve the softening of \"{}\" over {} m: its band would be {} m wide, less than "
+                 "6.3 spacings, and the strength would snap back",
+                 cases::short_number(spacing), materials[i].name, cases::short_number(band.displacement),
+                 cases::short_number(band.width(), 3)),
+             fmt::format("a spacing of {} m or less would do, or a softening_displacement of {} m or more",
+                         cases::short_number(largest, 3), cases::short_number(band.displacement * spacing / largest, 3)));
+    if (materials[i].rupture_strain < band.strain())
+      refuse(
+          file, fmt::format("materials.{}.rupture_strain", i),
+          fmt::format("\"{}\" breaks at a plastic shear strain of {}, before its cohesion has fallen, at {}", materials[i].name,
+                      cases::short_number(materials[i].rupture_strain, 3), cases::short_number(band.strain(), 3)),
+          "give a larger rupture_strain; 1e9 where the ground shall not break");
+  }
 }
 
 /// The step of a run, which divides the history interval, or the shorter windows of a coupling.
@@ -128,6 +158,19 @@ std::string check_step(const cases::CaseFile& file, const MpsModel<D>& model) {
 }  // namespace
 
 template <int D>
+methods::mps::SofteningBand band_of(const cases::Ground& ground, const methods::mps::LinkTable<D>& links) {
+  return {methods::mps::drop_of_strength(peak_of(ground), ground.residual_cohesion.value_or(ground.cohesion)),
+          ground.shear_modulus(), ground.softening_displacement, methods::mps::square_of_reach<D>(links)};
+}
+
+template <int D>
+std::vector<methods::mps::StrengthOfGround> strengths_of(const cases::MpsCase& mps, const methods::mps::LinkTable<D>& links) {
+  std::vector<methods::mps::StrengthOfGround> grounds;
+  for (const cases::Ground& ground : mps.materials) grounds.push_back(strength_of<D>(ground, links));
+  return grounds;
+}
+
+template <int D>
 MpsParts<D> lay_out(const cases::MpsCase& mps, Filling<D> filling, const Site<D>& period) {
   MpsParts<D> parts;
   parts.filling = std::move(filling);
@@ -164,12 +207,10 @@ std::unique_ptr<particles::ParticleForces<D>> MpsParts<D>::forces(const cases::M
   if (std::ranges::none_of(mps.materials, [](const cases::Ground& ground) { return ground.fails(); }))
     return std::make_unique<methods::mps::ElasticForces<D>>(links,
                                                             static_cast<methods::mps::RotationRemoval>(mps.particles.rotation));
-  std::vector<methods::mps::StrengthOfGround> grounds;
-  for (const cases::Ground& ground : mps.materials) grounds.push_back(strength_of(ground));
   methods::mps::LooseRules rules{.step = step, .damping_ratio = mps.contact.damping_ratio, .period = {}};
   for (std::size_t axis = 0; axis < D; ++axis) rules.period[axis] = period[axis] * particles.spacing;
   return std::make_unique<methods::mps::FailingForces<D>>(
-      particles, links, methods::mps::GroundStrength<D>(particles, links, std::move(grounds), material), rules);
+      particles, links, methods::mps::GroundStrength<D>(particles, links, strengths_of<D>(mps, links), material), rules);
 }
 
 template <int D>
@@ -205,6 +246,7 @@ template <int D>
 MpsModel<D> build_mps(const cases::CaseFile& file, const std::optional<MpsCoupling>& coupling) {
   const auto& mps = file.as<cases::MpsCase>();
   const MpsParts<D> parts = make_parts<D>(file);
+  check_softening<D>(file, parts);
   const SideParts<D> beside = make_side_parts<D>(file, parts);
   MpsModel<D> model;
   model.limit = beside.predict(parts.predict());
@@ -219,6 +261,10 @@ MpsModel<D> build_mps(const cases::CaseFile& file, const std::optional<MpsCoupli
   if (!coupling) model.warning += warn_of_loose_parts<D>(file, parts);  // else the surface may hold them
   std::unique_ptr<particles::ParticleForces<D>> forces = parts.forces(mps, model.step);
   model.failing = dynamic_cast<const methods::mps::FailingForces<D>*>(forces.get());
+  if (const auto* elastic = dynamic_cast<const methods::mps::ElasticForces<D>*>(forces.get()))
+    model.links = &elastic->links();
+  else
+    model.links = &model.failing->links();
   if (coupling) {
     const methods::mps::SurfaceRules rules{model.step, mps.contact.damping_ratio, coupling->friction};
     auto at_surface = std::make_unique<methods::mps::GroundAtSurface<D>>(std::move(forces), model.failing, waves, rules);
@@ -234,6 +280,10 @@ MpsModel<D> build_mps(const cases::CaseFile& file, const std::optional<MpsCoupli
   return model;
 }
 
+template methods::mps::SofteningBand band_of<2>(const cases::Ground&, const methods::mps::LinkTable<2>&);
+template methods::mps::SofteningBand band_of<3>(const cases::Ground&, const methods::mps::LinkTable<3>&);
+template std::vector<methods::mps::StrengthOfGround> strengths_of<2>(const cases::MpsCase&, const methods::mps::LinkTable<2>&);
+template std::vector<methods::mps::StrengthOfGround> strengths_of<3>(const cases::MpsCase&, const methods::mps::LinkTable<3>&);
 template struct MpsParts<2>;
 template struct MpsParts<3>;
 template MpsParts<2> lay_out<2>(const cases::MpsCase&, Filling<2>, const Site<2>&);

@@ -59,6 +59,7 @@ MpsRecord<D>::MpsRecord(const RunFolder& folder, const cases::CaseFile& file, Mp
       clocks_(clocks),
       gauge_particles_(gauge_particles<D>(file, model.filling)),
       files_(folder.snapshots(), "particles"),
+      tensors_(file.as<cases::MpsCase>(), model),
       peaks_(gauge_particles_.size(), 0) {}
 
 template <int D>
@@ -163,6 +164,7 @@ void MpsRecord<D>::write_snapshot(Real time, const state::FreedomColumns<D>& vel
   }
   std::vector<observe::CellData> data =
       observe::cell_data(columns::mps::particles, displacement, speed, change, model_->filling.region, model_->material, size, supported());
+  for (const observe::CellData& one : tensors_.measure()) data.push_back(one);
   std::vector<Real> slip, broken, sheared;
   if (const auto* failing = model_->failing) {
     const state::Column& all = failing->strength().slip();

@@ -3,6 +3,7 @@
 /// What a run of method mps writes down: histories, gauges, snapshots, headline figures. It never changes the run.
 
 #include "sazare/methods/mps/run/model.hpp"
+#include "sazare/methods/mps/run/tensor_fields.hpp"
 #include "sazare/observe/manifest.hpp"
 #include "sazare/runs/record_files.hpp"
 #include "sazare/runs/run_clocks.hpp"
@@ -54,6 +55,7 @@ private:
   RunClocks clocks_;
   std::vector<std::size_t> gauge_particles_;
   RecordFiles files_;
+  TensorFields<D> tensors_;
   std::vector<std::int32_t> supported_;  ///< see supported
   std::vector<Real> peaks_;  ///< largest speed by gauge [m/s]
   Real displacement_ = 0;    ///< largest of the last row [m]

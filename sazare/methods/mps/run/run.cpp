@@ -133,7 +133,7 @@ std::string warn_of_waves(const cases::CaseFile& file, const state::Particles<D>
 template <int D>
 std::string cost_text(const cases::MpsCase& mps, Real particles, const RunClocks& clocks) {
   constexpr Real elastic_in_plane = 30e6, elastic_in_space = 4e6, share_with_strength = 0.4, history_columns = 20,
-                 gauge_columns = 6, bytes_of_particle = 150;
+                 gauge_columns = 6, bytes_of_particle = 270;
   const bool yields = std::ranges::any_of(mps.materials, [](const cases::Ground& ground) { return ground.fails(); });
   return runs::cost_text({.work = particles * static_cast<Real>(clocks.steps()),
                           .work_per_second = (D == 2 ? elastic_in_plane : elastic_in_space) * (yields ? share_with_strength : 1),
@@ -141,6 +141,20 @@ std::string cost_text(const cases::MpsCase& mps, Real particles, const RunClocks
                           .bodies = particles,
                           .bytes_of_body = bytes_of_particle},
                          clocks);
+}
+
+/// What the spacing makes of softening.
+template <int D>
+std::string softening_lines(const cases::MpsCase& mps, const MpsModel<D>& model) {
+  std::string text;
+  for (const cases::Ground& ground : mps.materials) {
+    if (!ground.softens()) continue;
+    const methods::mps::SofteningBand band = band_of<D>(ground, *model.links);
+    text += line("softening", fmt::format("{}: to a plastic shear strain of {}, in a band {} m wide; spacing at most {} m",
+                                          ground.name, number(band.strain(), 3), number(band.width(), 3),
+                                          number(band.largest_spacing(model.filling.spacing), 3)));
+  }
+  return text;
 }
 
 template <int D>
@@ -154,6 +168,7 @@ std::string check(const cases::CaseFile& file, const std::optional<MpsCoupling>&
          line("body", fmt::format("{} particles, number density {}, {}", model.filling.sites.size(),
                                   number(model.number_density, 6), words_of_freedoms<D>(model.stepper->supports()))) +
          second_look<D>(file.as<cases::MpsCase>(), model.stepper->particles()) + side_lines(model) +
+         softening_lines<D>(file.as<cases::MpsCase>(), model) +
          line("stability", fmt::format("{}, predicted from the largest frequency, {} rad/s, and the damping",
                                        cases::limit_text(limit, 5), number(model.limit.frequency, 6))) +
          line("step", fmt::format("{} s, {} of the limit, {} per history row", number(model.step, 5),
