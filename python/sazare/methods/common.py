@@ -4,7 +4,7 @@ from functools import partial
 
 import numpy as np
 
-from sazare import plot, shaking
+from sazare import plot, shaking, wave_fronts
 from sazare.ground_motion.gauges import gauge_table
 from sazare.methods import Section
 from sazare.style import count, quantity, round_factor
@@ -70,6 +70,24 @@ def shaking_sections(results):
         Section(
             "relative", "Motion relative to the base", "Displacement of the gauges less that of the lowest one; the legend gives what remains at the end.",
             partial(shaking.relative_displacements, results), "There are fewer than two gauges with accelerations.",
+        ),
+    ]
+
+
+def wave_sections(results):
+    """The way of the first wave through the ground."""
+    return [
+        Section(
+            "wave_fronts", "Wave fronts",
+            "Acceleration along the axis of the input motion over a section, of a column over its height, while the first wave goes up; where the snapshots are too far apart "
+            "for that, when it is largest.",
+            partial(wave_fronts.fronts, results), "No motion enters from below, or there are fewer than two snapshots.", places=True,
+        ),
+        Section(
+            "wave_section", "Time against height",
+            "Acceleration at gauges above each other, each trace at its height; the lines are an S wave that leaves the lowest gauge when the motion has begun there "
+            "(5 % of its peak acceleration), and comes down from the highest one again.",
+            partial(wave_fronts.section, results), "No two gauges with accelerations stand above each other where a motion enters.",
         ),
     ]
 

@@ -355,7 +355,7 @@ def sections(results):
         *([_joint_section(results)] if has_joints else []),
         *(_member_sections(results) if has_members else []),
         *(_pore_sections(results) if has_excess else []),
-        *([] if static else common.shaking_sections(results)),
+        *([] if static else common.shaking_sections(results) + common.wave_sections(results)),
         common.energy_section(results, ENERGIES, "the external work"),
         common.timing_section(results),
     ]

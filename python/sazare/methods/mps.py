@@ -249,6 +249,7 @@ def sections(results):
             partial(supports, results), "No particle is held, moved or on a viscous or free-field boundary.",
         ),
         *common.shaking_sections(results),
+        *common.wave_sections(results),
         Section(
             "displaced", "Displaced particles", "Particles at times between which they move equally far, and at the largest displacement. Displacements are magnified where "
             "the title says so; single particles far from the others are out of the picture.",
