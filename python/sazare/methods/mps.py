@@ -315,4 +315,5 @@ METHOD = Method(
         "acceleration": ("acceleration", "m/s²"),
     },
     tables=common.shaking_tables,
+    sheets=common.structure_sheets,
 )
