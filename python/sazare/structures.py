@@ -74,9 +74,20 @@ def _against(results, reference):
         chosen = [motion for motion in motions if reference in (None, motion.name)]
         if chosen:
             gauge = base_of(side, chosen)
-            return _Against(gauge, gauge.name, main_axis(side), up_axis(side, motions))
+            up = up_axis(side, motions)
+            return _Against(gauge, gauge.name, _level_axis(side, motions, up), up)
     first = known[0][0]
     return _Against(None, "the beginning", next(iter(input_axes(first)), 0), _up_of(first))
+
+
+def _level_axis(results, motions, up):
+    """The axis of the input motion; where that is vertical, or there is none, the level axis along which the gauges go farthest."""
+    axis = main_axis(results)
+    if axis != up:
+        return axis
+    ways = np.max([np.abs(motion.displacement).max(axis=0) for motion in motions], axis=0)
+    ways[up] = -1.0
+    return int(np.argmax(ways))
 
 
 def _moved(reference, time):

@@ -101,6 +101,13 @@ def test_another_gauge_may_be_the_reference_and_must_exist():
         structure_table(made(), "sea")
 
 
+def test_a_motion_from_below_is_told_along_a_level_axis():
+    shaken = made()
+    shaken.case_text = CASE.replace("motion_x", "motion_y")
+    table = structure_table(shaken)
+    assert set(table["axis"]) == {"x"} and rows(table)["house"]["residual_displacement"] == pytest.approx(SLIP, abs=1e-6)
+
+
 def test_without_gauges_motion_is_since_the_beginning():
     found = rows(structure_table(made(gauges=False)))
     assert found["house"]["residual_displacement"] == pytest.approx(SLIP + ground(10.0), abs=1e-6)
