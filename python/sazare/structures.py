@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sazare.ground_motion.gauges import GaugeMotion, base_of, gauge_motions, input_axes, residual, up_axis
-from sazare.model.parts import Opened
+from sazare.model.parts import Opened, region_names
 from sazare.shaking import main_axis
 from sazare.snapshots import elements_once
 
@@ -117,10 +117,7 @@ def _bodies(results, grid, up):
 
 def _regions(results, case, grid, up):
     """Regions of a mesh that reach neither its sides nor its bottom, on which the ground goes on; all where there is one only."""
-    try:
-        names = Opened(results, case).groups.regions(case["mesh"]["dimension"])
-    except (KeyError, OSError, ValueError, RuntimeError):
-        return {}
+    names = region_names(Opened(results, case))
     cells, points = np.asarray(grid.cell_data["region"]), np.asarray(grid.points) - np.asarray(grid.point_data["displacement"])
     of_cells, offsets = np.asarray(grid.cell_connectivity), np.asarray(grid.offset)
     low, high = points.min(axis=0), points.max(axis=0)

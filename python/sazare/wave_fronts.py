@@ -10,7 +10,7 @@ from scipy.spatial import cKDTree
 
 from sazare import style
 from sazare.ground_motion.gauges import AXES, gauge_motions, input_axes, stacks, up_axis
-from sazare.model.parts import Opened
+from sazare.model.parts import Opened, region_names
 from sazare.outside import outside_of
 from sazare.shaking import main_axis
 from sazare.snapshots import elements_once
@@ -58,14 +58,13 @@ def _speed(material):
 def s_velocities(results, grid):
     """The S-wave velocity of small strains [m/s] in every cell of a snapshot (n,); None where case and mesh do not tell."""
     opened = Opened(results, _case(results))
-    speeds = {}
     try:
         speeds = {material["name"]: _speed(material) for material in opened.all("materials")}
         if "material" in grid.cell_data:
             return np.array(list(speeds.values()))[np.asarray(grid.cell_data["material"])]
-        names = opened.groups.regions(opened.case["mesh"]["dimension"])
-        return np.array([speeds[opened.material_of(name)] for name in names])[np.asarray(grid.cell_data["region"])]
-    except (KeyError, IndexError, OSError, ValueError, RuntimeError):
+        found = [speeds[opened.material_of(name)] for name in region_names(opened)]
+        return np.array(found)[np.asarray(grid.cell_data["region"])]
+    except (KeyError, IndexError, TypeError, ValueError):
         return None
 
 

@@ -120,9 +120,8 @@ def test_regions_on_which_the_ground_goes_on_are_no_structures(monkeypatch):
     cells = [[4, 0, 1, 5, 4], [4, 1, 2, 6, 5], [4, 2, 3, 7, 6], [4, 5, 6, 9, 8]]
     grid = pyvista.UnstructuredGrid(np.ravel(cells), [9] * 4, points)
     grid.cell_data["region"], grid.point_data["displacement"] = [0, 0, 0, 1], np.zeros((10, 3))
-    names = SimpleNamespace(groups=SimpleNamespace(regions=lambda dimension: ["ground", "caisson"]))
-    monkeypatch.setattr(structures, "Opened", lambda results, case: names)
-    found = structures._regions(None, {"mesh": {"dimension": 2}}, grid, 1)
+    monkeypatch.setattr(structures, "region_names", lambda opened: ["ground", "caisson"])
+    found = structures._regions(None, {}, grid, 1)
     assert list(found) == ["caisson"] and list(found["caisson"]) == [5, 6, 8, 9]
 
 
