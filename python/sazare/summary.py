@@ -1,7 +1,7 @@
 """The headline figures of a run in words, for the top of the report and for the terminal."""
 
 from sazare.methods import Headline, method_of
-from sazare.methods.common import energy_balance
+from sazare.methods.common import energy_balance, is_round_off
 from sazare.style import quantity
 
 
@@ -22,7 +22,7 @@ def headlines(results):
     figures, method = results.figures, method_of(results)
     found = [*method.measured(results), *(figure.headline(figures) for figure in method.headlines)]
     balance = energy_balance(figures)
-    if balance is not None:
+    if balance is not None and not is_round_off(results):
         found.append(Headline("energy balance", f"{balance:.1e}", "relative residual"))
     if figures.get("wall_seconds") is not None:
         found.append(Headline("wall-clock time", quantity(figures["wall_seconds"], "s"), _machine(results.manifest)))

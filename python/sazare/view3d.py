@@ -76,17 +76,19 @@ def read_frames(results):
     if len(shapes.points) == 0 or len(shapes.points) > MOST_VERTICES:
         return None
     method = method_of(results)
-    names = [name for name in method.fields if name in snapshots[-1].elements.cell_data]
+    last = snapshots[-1].elements
+    names = [name for name in method.fields if name in last.cell_data or name in last.point_data]
     chosen = _chosen_times(len(snapshots), 6 * len(shapes.points) + len(names) * len(shapes.cells))
     grids = [snapshots[number].elements for number in chosen]
     start = np.asarray(grids[0].points)[shapes.points]
     moved = np.stack([np.asarray(grid.points)[shapes.points] - start for grid in grids])
     fields = []
     for name in names:
-        values = np.stack([_magnitude(grid.cell_data[name])[shapes.cells] for grid in grids])
+        values = np.stack([_of_cells(grid, name)[shapes.cells] for grid in grids])
         fields.append(Field(*method.fields[name], values, *_range(values)))
     enlargements = _enlargements(moved, start)
-    camera = _camera(start, start + enlargements[-1] * moved[-1])
+    shown = None if method.extent is None else method.extent(grids[0])
+    camera = _camera(start, start + enlargements[-1] * moved[-1]) if shown is None else _camera(shown, shown)
     return Frames(shapes, [snapshots[number].time for number in chosen], start, moved, fields, method.colors, enlargements, camera)
 
 
@@ -131,9 +133,15 @@ def _block(numbers, kind):
     return {"type": np.dtype(kind).name, "data": text}
 
 
-def _magnitude(values):
-    values = np.asarray(values, dtype=float)
-    return np.linalg.norm(values, axis=1) if values.ndim == 2 else values
+def _of_cells(grid, name):
+    """A field of the cells, of vectors the magnitude; of a field of the points its mean in each cell."""
+    of_points = name not in grid.cell_data
+    values = np.asarray(grid.point_data[name] if of_points else grid.cell_data[name], dtype=float)
+    values = np.linalg.norm(values, axis=1) if values.ndim == 2 else values
+    if not of_points:
+        return values
+    points, offsets = np.asarray(grid.cell_connectivity), np.asarray(grid.offset)
+    return np.add.reduceat(values[points], offsets[:-1]) / np.diff(offsets)
 
 
 def _range(values):
@@ -169,16 +177,15 @@ def _balls(grid):
 
 
 def _triangles(grid, triangles, cell_of_triangle):
-    """Triangles between points of a grid, and the cell of each."""
-    points, places = np.unique(triangles, return_inverse=True)
-    cell_of_point = np.zeros(grid.n_points, dtype=int)
-    cell_of_point[triangles] = cell_of_triangle[:, None]
-    cells, cell_places = np.unique(cell_of_point[points], return_inverse=True)
-    return Shapes(points, cells, cell_places, places.reshape(-1, 3), None)
+    """Triangles between points of a grid, and the cell of each. Each cell has points of its own, so that none takes the colour of another."""
+    own = triangles + grid.n_points * np.asarray(cell_of_triangle, dtype=np.int64)[:, None]
+    pairs, places = np.unique(own, return_inverse=True)
+    cells, cell_places = np.unique(pairs // grid.n_points, return_inverse=True)
+    return Shapes(pairs % grid.n_points, cells, cell_places, places.reshape(-1, 3), None)
 
 
 def _outside(grid):
-    """The surface of a grid of any cells; a point that several cells share has the colour of one of them."""
+    """The surface of a grid of any cells."""
     outside = outside_of(grid)
     return _triangles(grid, outside.corners, outside.cells)
 

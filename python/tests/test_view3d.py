@@ -70,6 +70,19 @@ def test_of_any_other_grid_the_outside_is_drawn():
     assert area == pytest.approx(faces)
 
 
+def test_cells_that_share_points_keep_their_colours():
+    """Two squares of eight nodes, side by side: three points are of both."""
+    ring = [[0, 0], [2, 0], [2, 2], [0, 2], [1, 0], [2, 1], [1, 2], [0, 1]]
+    points = np.array([*ring, [4, 0], [4, 2], [3, 0], [4, 1], [3, 2]], dtype=float)
+    cells = [8, 0, 1, 2, 3, 4, 5, 6, 7, 8, 1, 8, 9, 2, 10, 11, 12, 5]
+    grid = pyvista.UnstructuredGrid(cells, [23, 23], np.c_[points, np.zeros(len(points))])
+    shapes = _shapes([SimpleNamespace(elements=grid)])
+    colours = shapes.cells[shapes.cell_of_point[shapes.triangles]]
+    assert np.all(colours == colours[:, :1]) and set(colours[:, 0]) == {0, 1}
+    middles = grid.points[shapes.points][shapes.triangles].mean(axis=1)
+    assert np.all((middles[:, 0] > 2.0) == (colours[:, 0] == 1))
+
+
 def test_a_run_without_snapshots_has_no_view(slab, tmp_path):
     copy = shutil.copytree(slab, tmp_path / "run", ignore=shutil.ignore_patterns("snapshots"))
     assert packed_view(sazare.open(copy)) is None

@@ -85,6 +85,37 @@ void warn_of_peaks(const CheckContext& context, const Entry& entry, const Motion
         "records of accelerations drift: choose a baseline, or check the unit that the file states");
 }
 
+/// Things are at rest before t = 0: a motion that begins with a velocity jerks them.
+void warn_of_jump(const CheckContext& context, const Place& place, std::string_view what, Real velocity,
+                  const std::string& help) {
+  context.problems.warning(
+      place,
+      fmt::format("{} begins at a velocity of {} m/s, and what it moves is at rest before", what, short_number(velocity, 4)),
+      help);
+}
+
+/// A record of velocities that does not begin at rest.
+void warn_of_start(const CheckContext& context, const Entry& entry, const Motion& motion) {
+  constexpr Real at_rest = 0.01;  // of the peak
+  const std::vector<Real>& velocity = motion.record.value;
+  if (motion.quantity != laws::MotionQuantity::velocity || motion.amplitude == 0) return;
+  Real peak = 0;
+  for (const Real value : velocity) peak = std::max(peak, std::abs(value));
+  if (std::abs(velocity.front()) <= at_rest * peak) return;
+  warn_of_jump(context, entry.place("file"), "the record", motion.amplitude * velocity.front(),
+               "it jumps there within the first step, which sends a wave out: begin the record where its velocity is 0, or add "
+               "samples that "
+               "lead up to it");
+}
+
+/// A sine of displacements is fastest at its beginning.
+void warn_of_sine(const CheckContext& context, const Entry& entry, const Motion& motion) {
+  if (motion.quantity != laws::MotionQuantity::displacement || !entry.gives("frequency") || motion.amplitude == 0) return;
+  warn_of_jump(
+      context, entry.place("quantity"), "a sine of displacements", 2 * std::numbers::pi * motion.frequency * motion.amplitude,
+      "it jumps there within the first step, which sends a wave out: a sine of velocities or accelerations begins at rest");
+}
+
 /// Says what a record does that is easily overlooked.
 void warn_of_record(const CheckContext& context, const Entry& entry, const Motion& motion, Real end) {
   const laws::Record& record = motion.record;
@@ -94,6 +125,7 @@ void warn_of_record(const CheckContext& context, const Entry& entry, const Motio
     context.problems.warning(entry.place("file"),
                              fmt::format("the record begins at a displacement of {} m", short_number(record.value.front())),
                              "displacements count from where things stand at t = 0: this first value is taken off all others");
+  warn_of_start(context, entry, motion);
   if (record.duration() < end * (1 - 1e-9)) warn_of_end(context, entry, motion, end);
   warn_of_peaks(context, entry, motion, end);
 }
@@ -149,6 +181,7 @@ void check_motions(const CheckContext& context, std::vector<Motion>& motions, Re
       motion.samples = std::make_shared<laws::Record>();
     } else if (motion.type == MotionShape::sine) {
       check_keys(context, entry, "a sine", {"frequency"}, {"file", "baseline", "peak_time"});
+      warn_of_sine(context, entry, motion);
     } else {
       check_keys(context, entry, "a Ricker wavelet", {"frequency", "peak_time"}, {"file", "baseline", "cycles"});
       if (entry.gives("frequency") && entry.gives("peak_time") && motion.peak_time * motion.frequency < 1 - 1e-9)

@@ -35,6 +35,7 @@ All output of a run, in SI units. A column's name ends with its unit, as in `tim
 | `report.html`, `report/` | made by `sazare report` |
 | `ground_motion.csv` | made by `sazare report` of methods `mps` and `fem`: figures of the motion at each of `[[gauges]]` |
 | `profiles.csv` | made by `sazare report` of methods `mps` and `fem`: peak shear between gauges that stand above each other |
+| `structures.csv` | made by `sazare report` of methods `mps`, `fem` and `hybrid`: what remains of structures |
 | `continuum/`, `bodies/` | method `hybrid`: the folder of each solver side |
 
 Files are written under a temporary name and renamed when they are complete, or grow row by row: a file under its own name can always be
@@ -92,6 +93,29 @@ A row for every two neighbouring gauges that stand above each other, and every h
 | `peak_shear_stress` | Pa | which moves the ground above the middle: the integral of density times acceleration; of `mps`, whose snapshots tell the density, else `nan` |
 )";
 
+/// Written by Python (sazare.structures), whose test compares these names.
+constexpr const char* structures = R"(
+## structures.csv
+
+A row for every structure: regions of a mesh of finite elements that reach neither its sides nor its bottom, blocks and clumps, up to
+40, by the rigid motion that fits best at each snapshot; pairs of gauges on one body (`wall top` and `wall foot`), and other gauges, at every row.
+Motion is relative to the lowest gauge, or to where things stand at the beginning. Signs and meaning: [ground motions](../guide/ground-motions.md).
+
+| column | unit | |
+|---|---|---|
+| `structure` | | its name |
+| `from` | | body, two gauges or gauge |
+| `against` | | the gauge that motion is relative to |
+| `axis` | | axis of the displacement: that of the input motion |
+| `residual_displacement` | m | of its middle, at the end |
+| `peak_displacement` | m | the one farthest from 0 |
+| `residual_settlement` | m | downwards |
+| `peak_settlement` | m | the one farthest from 0 |
+| `residual_tilt` | deg | of what was vertical, towards the axis; nan for a gauge |
+| `peak_tilt` | deg | the one farthest from 0 |
+| `at_rest` | - | 0 for gauges that still move against the reference at the end |
+)";
+
 constexpr const char* snapshots_head = R"(
 ## Snapshots
 
@@ -137,6 +161,7 @@ std::string folder_markdown(std::span<const FolderTables> methods) {
             joined({{"`fragments.csv`", {columns::fragments, columns::stays}}, {"`timing.csv`", {columns::timing}}}, methods,
                    &FolderTables::files));
   page += ground_motion;
+  page += structures;
   page += snapshots_head;
   add_table(page, "series", "field", joined({}, methods, &FolderTables::snapshots));
   return page;

@@ -40,7 +40,7 @@ void remove_file(const fs::path& file) {
 constexpr std::array file_names = {"case.toml",     "history.csv",    "gauges.csv",          "gauge_peaks.csv", "walls.csv",
                                    "fragments.csv", "holes.csv",      "half_casts.csv",      "timing.csv",      "ranks.csv",
                                    "mesh.msh",      "report.html",    "ground_motion.csv",   "study.csv",       "study.id",
-                                   "profiles.csv",  "regression.csv", "regression_lines.csv"};
+                                   "profiles.csv",  "structures.csv",  "regression.csv", "regression_lines.csv"};
 constexpr std::array folder_names = {"snapshots", "checkpoint", "continuum", "bodies"};
 constexpr std::array side_names = {"continuum", "bodies"};
 constexpr std::array series_names = {"elements", "joints", "particles", "finite_elements", "rectangles", "walls"};

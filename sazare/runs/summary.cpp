@@ -47,6 +47,8 @@ bool stays_settled(const observe::Manifest& manifest) {
 /// Nothing has moved by more than round-off, of which the balance then consists.
 bool rests(const observe::Manifest& manifest) {
   constexpr Real round_off = 1e-12, slow = 1e-6, nothing = 1e-9;  // m; far less than an atom; m/s and J
+  const Real noise = figure(manifest, "energy_round_off");
+  if (noise > 0 && energy_brought_in(manifest) <= noise && std::abs(figure(manifest, "energy_residual")) <= noise) return true;
   if (tells(manifest, "peak_displacement")) return figure(manifest, "peak_displacement") < round_off;
   return tells(manifest, "peak_speed") && figure(manifest, "peak_speed") < slow && energy_brought_in(manifest) < nothing;
 }
@@ -56,7 +58,8 @@ bool rests(const observe::Manifest& manifest) {
 std::string balance_text(const observe::Manifest& manifest) {
   const Real work = figure(manifest, "energy_work"), residual = figure(manifest, "energy_residual"),
              whole = energy_brought_in(manifest);
-  const std::string share = whole > 0 ? fmt::format(" ({:.1e} of {})", std::abs(residual / whole), reference(manifest)) : "";
+  const std::string share =
+      whole > 0 && !rests(manifest) ? fmt::format(" ({:.1e} of {})", std::abs(residual / whole), reference(manifest)) : "";
   return fmt::format("work {} J, residual {} J{}", cases::short_number(work, 4), cases::short_number(residual, 2), share);
 }
 

@@ -95,8 +95,9 @@ class Method:
     measured: a function of Results that returns more of them (list of Headline), which are read from the snapshots.
     sheets: a function of Results that returns tables of the report (list of Sheet), in their order.
     snapshots: the kind of its snapshots, with which the names of their files begin; None where it writes none of its own.
-    fields: cell data of the snapshots that the 3-D view and the movie colour, the first one by default: name in the file ->
+    fields: data of the snapshots, of cells or points, that the 3-D view and the movie colour, the first one by default: name in the file ->
         (name in words, unit). Of vectors the magnitude is shown.
+    extent: a function of a mesh that returns the corners (2, 3) [m] of the part that the 3-D view and the movie look at; all where it is None.
     colors: the colour map of the fields (matplotlib).
     moving: a function of Results that yields (time [s], figure) of every snapshot, of a method whose own snapshots the movie cannot draw.
     tables: a function of Results that returns the tables written beside the report: name of the file -> columns, as `write_table` takes them;
@@ -110,6 +111,7 @@ class Method:
     sheets: Callable[[Any], list[Sheet]] = lambda _: []
     snapshots: str | None = None
     fields: dict[str, tuple[str, str]] = field(default_factory=dict)
+    extent: Callable[[Any], Any] | None = None
     colors: Any = field(default_factory=lambda: style.SPEED)
     moving: Callable[[Any], Iterator[tuple[float, Any]]] | None = None
     tables: Callable[[Any], dict[str, dict]] = lambda _: {}

@@ -4,10 +4,10 @@ from functools import partial
 
 import numpy as np
 
-from sazare import plot, shaking
+from sazare import plot, shaking, structures, wave_fronts
 from sazare.ground_motion.gauges import gauge_table
 from sazare.ground_motion.profiles import profile_table
-from sazare.methods import Section
+from sazare.methods import Section, Sheet
 from sazare.style import count, quantity, round_factor
 
 # Residuals up to the first count as good, above the second as bad; as shares of the work.
@@ -76,9 +76,52 @@ def shaking_sections(results):
     ]
 
 
+def wave_sections(results):
+    """The way of the first wave through the ground."""
+    return [
+        Section(
+            "wave_fronts", "Wave fronts",
+            "Acceleration along the axis of the input motion over a section, of a column over its height, while the first wave goes up; where the snapshots are too far apart "
+            "for that, when it is largest.",
+            partial(wave_fronts.fronts, results), "No motion enters from below, or there are fewer than two snapshots.", places=True,
+        ),
+        Section(
+            "wave_section", "Time against height",
+            "Acceleration at gauges above each other, each trace at its height; the lines are an S wave that leaves the lowest gauge when the motion has begun there "
+            "(5 % of its peak acceleration), and comes down from the highest one again.",
+            partial(wave_fronts.section, results), "No two gauges with accelerations stand above each other where a motion enters.",
+        ),
+    ]
+
+
 def shaking_tables(results):
     """Figures of the motion at the gauges, beside the report."""
-    return {"ground_motion.csv": gauge_table(results), "profiles.csv": profile_table(results)}
+    return {"ground_motion.csv": gauge_table(results), "profiles.csv": profile_table(results), **structure_tables(results)}
+
+
+def structure_tables(results):
+    """What remains of structures, beside the report."""
+    return {"structures.csv": structures.structure_table(results)}
+
+
+def structure_sheets(results):
+    """What remains of structures at the end, and their largest values."""
+    table = structures.structure_table(results)
+    if not table:
+        return []
+    titles = ("structure", "displacement at the end", "largest", "settlement at the end", "largest", "tilt at the end", "largest")
+    units = {"displacement [m]": "m", "settlement [m]": "m", "tilt [deg]": "°"}
+    columns = [[_with_unit(value, unit) for value in table[f"{when}_{what}"]] for what, unit in units.items() for when in ("residual", "peak")]
+    names = [name if still else f"{name} (still moves)" for name, still in zip(table["structure"], table["at_rest [-]"])]
+    words = (f"Against {table['against'][0]}, along {table['axis'][0]}; settlement is downwards, tilt positive towards {table['axis'][0]}. "
+             "Of bodies the rigid motion that fits best, at the snapshots; of gauges every row.")
+    return [Sheet("structures", "Structures", titles, list(zip(names, *columns, strict=True)), words, wide=True)]
+
+
+def _with_unit(value, unit):
+    if not np.isfinite(value):
+        return "–"
+    return f"{value:.3g}{unit}" if unit == "°" else quantity(value, unit)
 
 
 def enlargement(displacement, extent, largest, shown):
@@ -142,6 +185,13 @@ def largest_share(table, residuals, references):
         return None
     scale = max(np.abs(table[name]).max() for name in known)
     return float(np.abs(sum(table[name] for name in residuals)).max() / scale) if scale > 0.0 else None
+
+
+def is_round_off(results):
+    """Whether all energies of a run stay below what round-off may make up, as where a body moves as a whole."""
+    noise = results.figures.get("energy_round_off")
+    names = [name for name in results.history if name.startswith("energy_")]
+    return bool(noise) and bool(names) and all(np.abs(results.history[name]).max(initial=0.0) <= noise for name in names)
 
 
 def graded(share, words, advice):

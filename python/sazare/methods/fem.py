@@ -355,7 +355,7 @@ def sections(results):
         *([_joint_section(results)] if has_joints else []),
         *(_member_sections(results) if has_members else []),
         *(_pore_sections(results) if has_excess else []),
-        *([] if static else common.shaking_sections(results)),
+        *([] if static else common.shaking_sections(results) + common.wave_sections(results)),
         common.energy_section(results, ENERGIES, "the external work"),
         common.timing_section(results),
     ]
@@ -380,6 +380,8 @@ def _member_sections(results):
 
 def verdict(results):
     """The verdict of a run by its energy balance."""
+    if common.is_round_off(results):
+        return "good", "The run is complete. No work was done but that of round-off."
     share = common.largest_share(results.history, ["energy_residual"], ["energy_work", "energy_kinetic", "energy_elastic"])
     share = common.energy_balance(results.figures) if share is None else share
     return common.graded(share, "" if share is None else common.balance_words(share, "energy in play"),
@@ -400,5 +402,18 @@ METHOD = Method(
         Figure("newton_iterations", "Newton iterations", note=common.count_note("steps", "steps")),
     ),
     snapshots="finite_elements",
+    fields={
+        "displacement": ("displacement", "m"),
+        "velocity": ("speed", "m/s"),
+        "acceleration": ("acceleration", "m/s²"),
+        "von_mises_stress": ("von Mises stress", "Pa"),
+        "pressure": ("pressure", "Pa"),
+        "plastic_shear_strain": ("equivalent plastic shear strain", ""),
+        "shear_strain_max": ("largest shear strain", ""),
+        "excess_pore_pressure": ("excess pore pressure", "Pa"),
+        "pore_pressure_ratio": ("pore pressure ratio", ""),
+    },
+    extent=_shown_extent,
     tables=common.shaking_tables,
+    sheets=common.structure_sheets,
 )

@@ -281,6 +281,8 @@ def _next_scheme(case_text):
 
 METHOD = Method(
     sections=sections,
+    sheets=common.structure_sheets,
+    tables=common.structure_tables,
     verdict=verdict,
     moving=moving,
     headlines=(

@@ -282,6 +282,7 @@ def sections(results):
             partial(supports, results), "No particle is held, moved or on a viscous or free-field boundary.",
         ),
         *common.shaking_sections(results),
+        *common.wave_sections(results),
         Section(
             "displaced", "Displaced particles", "Particles at times between which they move equally far, and at the largest displacement. Displacements are magnified where "
             "the title says so; single particles far from the others are out of the picture.",
@@ -354,4 +355,5 @@ METHOD = Method(
         "acceleration": ("acceleration", "m/s²"),
     },
     tables=common.shaking_tables,
+    sheets=common.structure_sheets,
 )

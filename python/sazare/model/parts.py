@@ -130,6 +130,17 @@ class Model:
         return np.array([corners.min(axis=0), corners.max(axis=0)])
 
 
+def region_names(opened):
+    """The names of the regions of a mesh by their numbers in the snapshots; none where the mesh cannot be read."""
+    from sazare.engine import errors_of_commands
+
+    try:
+        with errors_of_commands():
+            return opened.groups.regions(opened.case["mesh"]["dimension"])
+    except (ImportError, KeyError, OSError, TypeError, ValueError):
+        return []
+
+
 def without_settling(case):
     """The settings with which ground does not settle under gravity first. Without gravity: a viscous boundary is refused where there is any."""
     settles = case.get("gravity", {}).get("settle")

@@ -10,8 +10,8 @@ import sazare
 from sazare.methods import MODULES, Figure, Headline, Method, Section, method_named, method_of
 
 PACKAGE = Path(sazare.__file__).parent
-# Files and keys that are called as a method is: snapshots of squares, packed data of the 3-D view, the file of a study.
-ALIKE = {"results.py": {"rectangles"}, "view3d.py": {"blocks"}, "simulation.py": {"study"}}
+# Files and keys that are called as a method is: snapshots of squares, packed data of the 3-D view, the file of a study, the table of squares in a case.
+ALIKE = {"results.py": {"rectangles"}, "view3d.py": {"blocks"}, "simulation.py": {"study"}, "structures.py": {"blocks"}}
 
 
 @pytest.fixture

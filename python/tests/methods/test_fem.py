@@ -1,5 +1,6 @@
 """Pictures of runs of method fem, from meshes and tables made here."""
 
+import json
 import subprocess
 from pathlib import Path
 from types import SimpleNamespace
@@ -7,11 +8,14 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 import pyvista
+from PIL import Image
 
 import sazare
 from sazare import plot
 from sazare.methods import fem
+from sazare.movie import write_movie
 from sazare.tables import Table
+from sazare.view3d import packed_view, read_frames
 
 
 def snapshot(time, points, kind, cell):
@@ -89,6 +93,40 @@ def test_nothing_is_drawn_without_data():
     empty = SimpleNamespace(history=Table({}), element_snapshots=[], gauge_table=Table({}), gauges={})
     for draw in (fem.displaced, fem.yielding, plot.boundary_forces, fem.joints, fem.displacements):
         assert draw(empty) is None
+
+
+def test_the_view_and_the_movie_show_the_deformed_mesh(tmp_path):
+    """A cantilever under a load: fields of points are means of cells, and the magnification is told."""
+    root = Path(__file__).resolve().parents[3]
+    command = [root / "build/release/apps/sazare/sazare", "run", root / "cases/cantilever-fem/case.toml", "--out", tmp_path / "run", "--quiet"]
+    subprocess.run([*command, "--set", "time.end=0.03"], check=True, timeout=120)
+    results = sazare.open(tmp_path / "run")
+    frames = read_frames(results)
+    field = frames.fields[0]
+    grid = results.element_snapshots[-1].elements
+    size = np.linalg.norm(grid.point_data["displacement"], axis=1)
+    assert (field.name, field.unit) == ("displacement", "m")
+    assert field.values[-1][0] == pytest.approx(size[grid.get_cell(frames.shapes.cells[0]).point_ids].mean())
+    assert {"von Mises stress", "speed"} <= {each.name for each in frames.fields}
+    places = frames.start + frames.moved[-1]
+    assert np.allclose(places, np.asarray(grid.points)[frames.shapes.points])
+    view = json.loads(packed_view(results))
+    assert view["kind"] == "triangles" and view["enlargement"] == frames.enlargements[-1]
+    with Image.open(write_movie(results, tmp_path / "beam.gif", "von Mises stress")) as film:
+        assert film.n_frames == len(results.element_snapshots) and min(film.size) >= 80
+
+
+def test_the_view_looks_at_what_pictures_show():
+    grid = row_of_cells([-400.0, 0.0, 1.0, 2.0, 3.0, 7.0, 900.0]).elements
+    assert fem.METHOD.extent(grid)[:, 0] == pytest.approx([0.0, 7.0])
+
+
+def test_a_body_that_moves_as_a_whole_is_not_judged_by_round_off():
+    table = Table({"time": np.arange(2.0), "energy_work": np.array([0.0, 1e-9]), "energy_residual": np.array([0.0, 1e-9])})
+    assert fem.verdict(SimpleNamespace(history=table, figures={}))[0] == "bad"
+    tone, words = fem.verdict(SimpleNamespace(history=table, figures={"energy_round_off": 1e-8}))
+    assert tone == "good" and "round-off" in words
+    assert fem.verdict(SimpleNamespace(history=table, figures={"energy_round_off": 1e-10}))[0] == "bad"
 
 
 def test_the_von_mises_stress_follows_from_the_components_of_the_stress(tmp_path):

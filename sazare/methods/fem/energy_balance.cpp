@@ -1,6 +1,8 @@
 /// The energy balance of FemStepper: work by cause, and energies.
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "sazare/methods/fem/free_field.hpp"
 #include "sazare/methods/fem/nodal_algebra.hpp"
@@ -143,6 +145,15 @@ Real FemStepper<D>::energy_residual() const {
          work.members;
 }
 
+/// Errors of the steps have either sign and add up as the root of their number.
+template <int D>
+Real FemStepper<D>::round_off_energy() const {
+  NodalColumn far = state_.displacement;
+  for (Real& way : far) way = std::abs(way);
+  const auto times = static_cast<Real>(std::max<std::int64_t>(state_.steps, 1));
+  return std::sqrt(times) * std::numeric_limits<Real>::epsilon() * dot(far, state_.tangent.magnitude_of_product(far));
+}
+
 // The class is instantiated in stepper.cpp, without these.
 #define SAZARE_INSTANTIATE(D)                                                                      \
   template bool FemStepper<D>::is_unloaded() const;                                                \
@@ -153,7 +164,8 @@ Real FemStepper<D>::energy_residual() const {
   template Real FemStepper<D>::elastic_energy_of_water() const;                                    \
   template Real FemStepper<D>::kinetic_energy_of_water() const;                                    \
   template Real FemStepper<D>::elastic_energy() const;                                             \
-  template Real FemStepper<D>::energy_residual() const;
+  template Real FemStepper<D>::energy_residual() const;                                            \
+  template Real FemStepper<D>::round_off_energy() const;
 
 SAZARE_INSTANTIATE(2)
 SAZARE_INSTANTIATE(3)

@@ -135,6 +135,8 @@ public:
   const FemWork& work() const { return state_.work; }
   /// Residual of the energy balance [J]; with alpha < 0 it contains what the step itself dissipates.
   Real energy_residual() const;
+  /// Energy that round-off may have made up so far, where internal forces are differences of displacements [J].
+  Real round_off_energy() const;
 
   void columns(Archive& archive);
 

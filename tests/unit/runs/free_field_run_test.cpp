@@ -77,6 +77,16 @@ TEST(free_field_run, refuses_waves_that_cannot_come_in) {
   EXPECT_NE(steep.find("reaches an elevation of"), std::string::npos) << steep;
 }
 
+TEST(free_field_run, refuses_members_that_reach_the_side_beside_a_wave) {
+  const std::string bar = R"(kind="bar", youngs_modulus=2e11, area=0.01}])";
+  const std::string reaching = R"(members=[{name="tie", from=[-30, 22, 0], to=[-20, 22, 0], )" + bar;
+  EXPECT_NE(refused(inclined({reaching})).find("the member \"tie\" reaches the side at x = -30 m"), std::string::npos);
+  const std::string within = R"(members=[{name="tie", from=[-20, 22, 0], to=[-10, 22, 0], )" + bar;
+  EXPECT_NE(registry::check_case(slope(inclined({within}))).find("tie"), std::string::npos);
+  EXPECT_NE(registry::check_case(slope({reaching})).find("tie"), std::string::npos)
+      << "columns that move as one let it move with them";
+}
+
 TEST(free_field_run, tells_how_the_wave_travels) {
   const std::string told = registry::check_case(slope(inclined()));
   EXPECT_NE(told.find("valley side at x = -30 m: the wave in its layers from 0 to 22 m"), std::string::npos) << told;

@@ -36,6 +36,22 @@ TEST(summary, does_not_weigh_the_energies_of_what_does_not_move) {
   EXPECT_NE(balance_warning(manifest), "");
 }
 
+/// Nor what moves as a whole, without a strain.
+TEST(summary, does_not_weigh_what_round_off_works) {
+  observe::Manifest manifest = with_balance(-1.8e-9, 1.8e-9);
+  manifest.results.emplace_back("peak_displacement", 0.1);
+  EXPECT_NE(balance_warning(manifest), "");
+  EXPECT_NE(balance_text(manifest).find("of the work"), std::string::npos);
+  manifest.results.emplace_back("energy_round_off", 1e-8);
+  EXPECT_EQ(balance_warning(manifest), "");
+  EXPECT_EQ(balance_text(manifest).find("of the work"), std::string::npos);
+  manifest.results[1].second = 1e-6;
+  EXPECT_NE(balance_warning(manifest), "") << "a residual that round-off does not explain";
+  manifest.results[0].second = 1e-3;
+  manifest.results[1].second = 1e-4;
+  EXPECT_NE(balance_warning(manifest), "");
+}
+
 /// Nor what is left of the forces of a body that has settled before the run.
 TEST(summary, does_not_weigh_what_is_left_of_settling) {
   observe::Manifest manifest = with_balance(0, -48e-9);

@@ -11,6 +11,10 @@ import sazare
 from sazare.ground_motion.column import Column, Layer
 
 HERE = Path(__file__).resolve().parent
+sys.path.append(str(HERE.parents[1] / "common"))
+import degrading_column  # noqa: E402
+from degrading_column import Ground  # noqa: E402
+
 PROGRAM = HERE.parents[2] / "build/release/apps/sazare/sazare"
 HEIGHT, DENSITY, MODULUS, REFERENCE = 20.0, 1800.0, 40.5e6, 1e-3  # m, kg/m3, Pa, -
 ROCK_DENSITY, ROCK_MODULUS, ROCK_HEIGHT = 2200.0, 0.891e9, 2.0  # kg/m3, Pa, m
@@ -26,52 +30,10 @@ def wave(time, amplitude=AMPLITUDE, frequency=FREQUENCY, cycles=CYCLES):
     return amplitude / omega * (1.0 - np.cos(omega * np.clip(time, 0.0, cycles / frequency)))
 
 
-class Parts:
-    """Springs in parallel that slide: tangents of the hyperbola, far more than the engine takes. Iwan, J. Appl. Mech. 34 (1967) 612-617."""
-
-    def __init__(self, cells, count=240):
-        at = np.geomspace(2e-3, 100.0, count) * REFERENCE
-        slope = np.r_[MODULUS, MODULUS / (1.0 + at / REFERENCE) ** 2, 0.0]
-        stress = MODULUS * at / (1.0 + at / REFERENCE)
-        zero = np.r_[0.0, stress - slope[1:-1] * at, MODULUS * REFERENCE]
-        self.modulus = -np.diff(slope)[:, None]
-        self.most = np.diff(zero)[:, None]
-        self.stress = np.zeros((count + 1, cells))
-
-    def shear(self, change):
-        """Total stress [Pa] (cells,) after a change of strain (cells,)."""
-        self.stress += self.modulus * change
-        np.clip(self.stress, -self.most, self.most, out=self.stress)
-        return self.stress.sum(axis=0)
-
-
-def differences(cells, step, end, rock_height=ROCK_HEIGHT):
-    """Central differences: times [s] (n,), surface less foot [m] (n,), peak strains (cells,), dissipated energy [J/m2]."""
-    parts, width = Parts(cells), HEIGHT / cells
-    mass = np.full(cells + 1, DENSITY * width)
-    mass[[0, -1]] *= 0.5
-    moved, velocity = np.zeros(cells + 1), np.zeros(cells + 1)
-    stress, peak, work = np.zeros(cells), np.zeros(cells), 0.0
-    impedance = ROCK_DENSITY * ROCK_VELOCITY
-    count = round(end / step)
-    behind = np.zeros(count + 1)
-    for number in range(count):
-        force = np.zeros(cells + 1)
-        force[:-1] += stress
-        force[1:] -= stress
-        foot = velocity[0]
-        velocity += step / mass * force
-        incoming = 2.0 * impedance * wave(number * step - rock_height / ROCK_VELOCITY)
-        velocity[0] = (mass[0] / step * foot + force[0] + incoming - 0.5 * impedance * foot) / (mass[0] / step + 0.5 * impedance)
-        moved += step * velocity
-        change = step * np.diff(velocity) / width
-        before = stress
-        stress = parts.shear(change)
-        work += width * np.sum(0.5 * (stress + before) * change)
-        peak = np.maximum(peak, np.abs(np.diff(moved)) / width)
-        behind[number + 1] = moved[-1] - moved[0]
-    stored = 0.5 * width * np.sum(parts.stress**2 / parts.modulus)
-    return step * np.arange(count + 1), behind, peak, work - stored
+def differences(rock_height=ROCK_HEIGHT):
+    """The strong motion by central differences, of a foot of the soil that lies so much [m] above the boundary."""
+    ground = Ground(HEIGHT, DENSITY, MODULUS, REFERENCE, ROCK_DENSITY, ROCK_VELOCITY)
+    return degrading_column.differences(ground, lambda time: wave(time - rock_height / ROCK_VELOCITY), cells=200, step=2.5e-4, end=5.0)
 
 
 def run(folder, case="case.toml", **settings):
@@ -91,19 +53,23 @@ def peak_strains(results):
     return strains[order][places[order] > ROCK_HEIGHT]
 
 
+def largest_error(table, exact, behind):
+    """Of the displacement of the surface over the foot, over its peak [-]."""
+    return np.max(np.abs(np.interp(np.asarray(table["time"]), exact.time, exact.behind) - behind)) / np.max(np.abs(exact.behind))
+
+
 def strong(folder):
     results = run(folder)
     table = results.gauge_table
     behind = np.asarray(table["top.displacement_x"]) - np.asarray(table["foot.displacement_x"])
-    time, exact, peak, dissipated = differences(cells=200, step=2.5e-4, end=5.0)
-    error = np.interp(np.asarray(table["time"]), time, exact) - behind
-    print(f"surface,{np.max(np.abs(error)) / np.max(np.abs(exact))}")
+    exact = differences()
+    print(f"surface,{largest_error(table, exact, behind)}")
     found = peak_strains(results)
-    wanted = peak.reshape(len(found), -1).mean(axis=1)
+    wanted = exact.peak.reshape(len(found), -1).mean(axis=1)
     print(f"peak-strain,{found.max() / wanted.max()}")
     print(f"profile,{np.max(np.abs(found - wanted)) / wanted.max()}")
     figures = results.figures
-    print(f"dissipated,{figures['energy_plastic'] / WIDTH / dissipated}")
+    print(f"dissipated,{figures['energy_plastic'] / WIDTH / exact.dissipated}")
     print(f"energy-balance,{abs(figures['energy_residual']) / figures['energy_work']}")
     print(f"degraded,{wanted.max() / REFERENCE}")
     return behind
@@ -119,15 +85,14 @@ def strong_particles(folder, behind_elements):
     results = run(folder, "particles.toml")
     table = results.gauge_table
     behind = behind_foot(table)
-    time, exact, peak, dissipated = differences(cells=200, step=2.5e-4, end=5.0, rock_height=ROCK_OF_PARTICLES)
-    error = np.interp(np.asarray(table["time"]), time, exact) - behind
-    print(f"particles-surface,{np.max(np.abs(error)) / np.max(np.abs(exact))}")
+    exact = differences(ROCK_OF_PARTICLES)
+    print(f"particles-surface,{largest_error(table, exact, behind)}")
     print(f"particles-elements,{abs(np.max(np.abs(behind)) / np.max(np.abs(behind_elements)) - 1)}")
     grid = results.particle_snapshots[-1].elements
     strain = np.asarray(grid.cell_data["shear_strain_max"])
-    print(f"particles-peak-strain,{strain.max() / peak.max()}")
+    print(f"particles-peak-strain,{strain.max() / exact.peak.max()}")
     figures = results.figures
-    print(f"particles-dissipated,{figures['energy_plastic'] / WIDTH_OF_PARTICLES / dissipated}")
+    print(f"particles-dissipated,{figures['energy_plastic'] / WIDTH_OF_PARTICLES / exact.dissipated}")
     print(f"particles-energy-balance,{abs(figures['energy_residual']) / figures['energy_work_viscous']}")
     flow = np.asarray(results.history["energy_plastic"])
     print(f"particles-gain,{max(0.0, -np.diff(flow).min()) / flow[-1]}")

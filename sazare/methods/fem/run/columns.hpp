@@ -87,6 +87,7 @@ inline constexpr std::array figures = {
     Column{"degrees_of_freedom", "-", "free degrees of freedom"},
     Column{"newton_iterations", "-", "Newton iterations"},
     Column{"step_cuts", "-", "steps that were halved"},
+    Column{"energy_round_off", "J", "energy that round-off may have made up: works below it say nothing"},
     Column{"peak_force_NAME", "N", "of a boundary on the body, by axis"},
     Column{"peak_excess_pore_pressure", "Pa", "where drainage is undrained or flow"},
     Column{"least_pore_pressure", "Pa", "smallest of any node, with that at rest"},

@@ -35,14 +35,15 @@ fem::WaveKind kind_of(cases::IncidentWaveKind kind) {
 template <int D>
 class WaveChecks {
 public:
-  WaveChecks(const cases::CaseFile& file, const geometry::ElementMesh& mesh, const fem::Supports<D>& supports)
-      : file_(file), mesh_(mesh), supports_(supports), wave_(*supports.wave) {}
+  WaveChecks(const cases::CaseFile& file, const fem::BodyDescription& body, const fem::Supports<D>& supports)
+      : file_(file), body_(body), mesh_(body.mesh), supports_(supports), wave_(*supports.wave) {}
 
   void check() const {
     for (const auto& side : supports_.sides) {
       check_layers(side);
       check_surface(side);
       check_angle(side);
+      check_members(side);
     }
     check_base();
     for (const auto& boundary : supports_.viscous) check_free(boundary.surface);
@@ -80,6 +81,19 @@ private:
         "with an incident wave the ground beside the sides bears its weight and still water alone: end the load before the side");
   }
 
+  /// The free field has no beams and bars: one that reaches a side ends there for the wave.
+  void check_members(const fem::FreeFieldSide<D>& side) const {
+    const std::set<Index> nodes = nodes_of(side.surface);
+    for (std::size_t i = 0; i < body_.members.size(); ++i)
+      for (const auto& line : body_.members[i].lines)
+        if (nodes.contains(line[0]) || nodes.contains(line[1]))
+          refuse(file_, fmt::format("members.{}", i),
+                 fmt::format("the member \"{}\" reaches {}", body_.members[i].name, name(side)),
+                 "the wave beside the sides runs through ground alone, and would come back from the member's end: end the member "
+                 "some "
+                 "elements before the side");
+  }
+
   void check_angle(const fem::FreeFieldSide<D>& side) const {
     const Real most = fem::critical_angle(fem::elastic_layers(side, {}), wave_.kind);
     if (std::abs(wave_.angle) < 0.999 * most) return;
@@ -97,10 +111,15 @@ private:
     return std::abs(wave_.kind == fem::WaveKind::sh ? across : along) > 1e-9;
   }
 
-  /// The free field has no supports: at faces that follow it nothing else holds what the wave moves.
-  void check_free(const std::vector<geometry::MeshElement>& faces) const {
+  static std::set<Index> nodes_of(const std::vector<geometry::MeshElement>& faces) {
     std::set<Index> nodes;
     for (const auto& face : faces) nodes.insert(face.node_list().begin(), face.node_list().end());
+    return nodes;
+  }
+
+  /// The free field has no supports: at faces that follow it nothing else holds what the wave moves.
+  void check_free(const std::vector<geometry::MeshElement>& faces) const {
+    const std::set<Index> nodes = nodes_of(faces);
     for (const fem::Support& held : supports_.held) {
       if (!nodes.contains(held.node) || !moves(held.axis)) continue;
       const Vector3& place = mesh_.nodes[at(held.node)];
@@ -136,6 +155,7 @@ private:
   }
 
   const cases::CaseFile& file_;
+  const fem::BodyDescription& body_;
   const geometry::ElementMesh& mesh_;
   const fem::Supports<D>& supports_;
   const fem::IncidentWave& wave_;
@@ -144,7 +164,7 @@ private:
 }  // namespace
 
 template <int D>
-void add_incident_wave(const cases::CaseFile& file, const geometry::ElementMesh& mesh, fem::Supports<D>& supports) {
+void add_incident_wave(const cases::CaseFile& file, const fem::BodyDescription& body, fem::Supports<D>& supports) {
   const auto& given = file.as<cases::FemCase>();
   if (!given.incident_wave.is_there()) return;
   fem::IncidentWave wave{kind_of(given.incident_wave.kind), given.incident_wave.angle * degree,
@@ -152,7 +172,7 @@ void add_incident_wave(const cases::CaseFile& file, const geometry::ElementMesh&
   const auto found = std::ranges::find(given.motions, given.incident_wave.motion, &cases::Motion::name);
   wave.motion = static_cast<Index>(found - given.motions.begin());
   supports.wave = wave;
-  WaveChecks<D>(file, mesh, supports).check();
+  WaveChecks<D>(file, body, supports).check();
 }
 
 template <int D>
@@ -164,8 +184,8 @@ std::string incident_wave_line(const fem::Supports<D>& supports) {
                                           : "reaches the whole base at once");
 }
 
-#define SAZARE_INSTANTIATE(D)                                                                                  \
-  template void add_incident_wave<D>(const cases::CaseFile&, const geometry::ElementMesh&, fem::Supports<D>&); \
+#define SAZARE_INSTANTIATE(D)                                                                                 \
+  template void add_incident_wave<D>(const cases::CaseFile&, const fem::BodyDescription&, fem::Supports<D>&); \
   template std::string incident_wave_line<D>(const fem::Supports<D>&);
 SAZARE_INSTANTIATE(2)
 SAZARE_INSTANTIATE(3)

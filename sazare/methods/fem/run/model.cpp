@@ -114,7 +114,7 @@ public:
     supports_.drained = drained_nodes(file_, body_, names_);
     if (fem_.damping.relative_to_base) supports_.find_base();
     add_sides<D>(file_, body_, names_, supports_);
-    add_incident_wave<D>(file_, body_.mesh, supports_);
+    add_incident_wave<D>(file_, body_, supports_);
     return std::move(supports_);
   }
 

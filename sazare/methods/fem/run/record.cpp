@@ -300,6 +300,7 @@ std::vector<std::pair<std::string, observe::Figure>> FemRecord<D>::results(std::
       {"peak_acceleration", largest_acceleration_}};
   const auto joules = energies();
   for (std::size_t i = 0; i < joules.size(); ++i) results.emplace_back(columns::fem::energies[i].name, joules[i]);
+  results.emplace_back("energy_round_off", stepper().round_off_energy());
   for (std::size_t i = 0; i < largest_forces_.size(); ++i)
     results.emplace_back(fmt::format("peak_force_{}_{}", model_->group_names[i / D], axis_names[i % D]), largest_forces_[i]);
   if (has_excess()) {

@@ -188,6 +188,22 @@ void check_gravity(const CheckContext& context, const MpsCase& mps) {
                            "add settle = true to [gravity]: the boundary then carries its reactions in equilibrium");
 }
 
+/// The ground and the columns beside it stand on something that holds or moves them.
+void check_base_of_sides(const CheckContext& context, const MpsCase& mps) {
+  const auto list = context.entries_of("boundaries");
+  const auto is_side = [](const SideBoundary& one) { return one.kind == SideKind::free_field; };
+  const auto is_base = [&](const SideBoundary& one) {
+    return !is_side(one) && (one.side == Side::bottom || one.side == Side::all || !one.region.empty());
+  };
+  const auto first = std::ranges::find_if(mps.boundaries, is_side);
+  if (first == mps.boundaries.end() || std::ranges::any_of(mps.boundaries, is_base)) return;
+  const Entry& entry = list[static_cast<std::size_t>(first - mps.boundaries.begin())];
+  if (!entry.gives("side")) return;
+  context.problems.error(entry.place("side"),
+                         "free-field sides require a base: nothing holds or moves the ground and the columns beside it",
+                         "add a boundary of side \"bottom\", of kind viscous, prescribed or fixed");
+}
+
 /// A column of layers stands beside the side; what it cannot see of the particles, the model refuses.
 void check_free_field(const CheckContext& context, const Entry& entry, const MpsCase& mps, const SideBoundary& boundary) {
   check_keys(context, entry, "kind free_field", {}, {"extent", "region", "axes"});
@@ -241,6 +257,7 @@ void check_boundaries(const CheckContext& context, const MpsCase& mps) {
       context.problems.error(entry.place("region"), fmt::format("there is no region \"{}\"", boundary.region),
                              full_suggestion(boundary.region, regions, "regions"));
   }
+  check_base_of_sides(context, mps);
 }
 
 }  // namespace
