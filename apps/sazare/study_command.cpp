@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <cstdio>
 
 #include "apps/sazare/commands.hpp"
@@ -28,8 +27,7 @@ int study(const StudyArguments& arguments) {
   }
   if (!arguments.quiet) {
     fmt::print("cases           {}\n", outcome.cases);
-    fmt::print("prediction      within {:.2f} % of the bisection in all cases\n",
-               100 * (std::exp(outcome.largest_difference) - 1));
+    fmt::print("{}", outcome.summary);
     fmt::print("wall-clock time {:.1f} s\n", outcome.wall_seconds);
     fmt::print("results in      {}\n", folder.string());
   }

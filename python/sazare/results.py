@@ -128,8 +128,17 @@ class Results:
 
     @cached_property
     def study(self):
-        """study.csv: a row for each case of a study, with its parameters, predicted, stable, unstable, limit."""
+        """study.csv: a row for each case of a study, with its parameters; of time steps predicted, stable, unstable, limit; of factors of
+        safety lower, upper, factor, displacement, elastic."""
         return self._table("study.csv")
+
+    def trials(self, case):
+        """The trials of a case (its number) of a study of factors of safety: trial, factor, stands, displacement, seconds, end."""
+        return self._table(f"trials/{case:05}.csv")
+
+    def slip_surface(self, case):
+        """The ground of a case (its number) at the end of the last trial that failed: x, y, z, displacement_*, slip."""
+        return self._table(f"trials/{case:05}_slip.csv")
 
     @cached_property
     def regression(self):

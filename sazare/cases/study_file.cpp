@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "sazare/cases/checks.hpp"
+#include "sazare/cases/format/enum_words.hpp"
 #include "sazare/cases/format/field_reader.hpp"
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/cases/format/shell_word.hpp"
@@ -13,6 +14,12 @@
 #include "sazare/core/error.hpp"
 
 namespace sazare::cases {
+
+template <>
+struct EnumWords<Sought> {
+  static constexpr std::array<std::string_view, 2> words{"time_step", "factor_of_safety"};
+};
+
 namespace {
 
 template <class Visitor>
@@ -36,12 +43,33 @@ void visit_fields(Visitor& visit, StudyLimit& limit) {
   visit("divergence", limit.divergence);
 }
 
+template <class Visitor>
+void visit_fields(Visitor& visit, StudyFactor& factor) {
+  visit("lower", factor.lower);
+  visit("upper", factor.upper);
+  visit("ratio", factor.ratio);
+  visit("displacement_ratio", factor.displacement_ratio);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Study& study) {
+  visit("title", study.title);
+  visit("find", study.find);
+}
+
 template <class Item>
-std::vector<Item> read_list(const CheckContext& context, std::string_view table, const std::filesystem::path& folder) {
+void read_table(const CheckContext& context, std::string_view table, Item& item) {
+  const Entry entry = context.entries_of(table).front();
+  FieldReader reader(entry, context.folder);
+  visit_fields(reader, item);
+}
+
+template <class Item>
+std::vector<Item> read_list(const CheckContext& context, std::string_view table) {
   std::vector<Item> items;
   std::vector<std::string> names;
   for (const Entry& entry : context.entries_of(table)) {
-    FieldReader reader(entry, folder);
+    FieldReader reader(entry, context.folder);
     visit_fields(reader, items.emplace_back());
     names.push_back(items.back().name);
   }
@@ -63,6 +91,23 @@ void check_study(const CheckContext& context, const Study& study) {
                            fmt::format("there are {} keys and {} families", keys, study.families.size()),
                            "give one key for all families, or one for each, in their order");
   }
+}
+
+/// The table of what is not sought does nothing, and the bounds of a factor are in order.
+void check_sought(const CheckContext& context, const Study& study) {
+  const bool factor = study.find == Sought::factor_of_safety;
+  const std::string_view foreign = factor ? "limit" : "factor";
+  if (const Entry entry = context.entries_of(foreign).front(); entry.exists())
+    context.problems.error(entry.header(),
+                           fmt::format("[{}] is for find = \"{}\"", foreign, factor ? "time_step" : "factor_of_safety"),
+                           fmt::format("remove it, or set find in [study]; this study finds \"{}\"",
+                                       EnumWords<Sought>::words.at(static_cast<std::size_t>(study.find))));
+  if (factor && !(study.factor.upper > study.factor.ratio * study.factor.lower))
+    context.problems.error(
+        context.entries_of("factor").front().place("upper"),
+        fmt::format("the bounds {} and {} of the factor are closer than the ratio of {} at which the search ends",
+                    short_number(study.factor.lower), short_number(study.factor.upper), short_number(study.factor.ratio)),
+        "give an upper at which the ground fails, above a lower at which it stands");
 }
 
 }  // namespace
@@ -110,24 +155,27 @@ Study read_study(const std::filesystem::path& path) {
   std::ostringstream text;
   text << stream.rdbuf();
   if (!stream) throw UserError(fmt::format("cannot read the study file {}: is the path right?", path.string()));
-  Problems problems;
+  auto content = std::make_shared<CaseText>();
+  Problems& problems = content->problems;
   const int source = problems.add_source(source_from_text(path.string(), text.str()));
   auto root = parse_document(text.str(), source, problems);
   problems.throw_if_errors();
-  refuse_case(*root, path, problems);
-  check_structure(*root, study_schema(), problems);
+  content->root = std::move(*root);
+  refuse_case(content->root, path, problems);
+  check_structure(content->root, study_schema(), problems);
   problems.throw_if_errors();
   const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
-  const CheckContext context{*root, study_schema(), path.parent_path(), problems, folder};
+  const CheckContext context{content->root, study_schema(), path.parent_path(), problems, folder};
   Study study;
   study.path = path;
-  study.title = *context.entries_of("study").front().value->find("title")->text();
-  study.families = read_list<StudyFamily>(context, "families", folder);
-  study.parameters = read_list<StudyParameter>(context, "parameters", folder);
-  const Entry limit = context.entries_of("limit").front();
-  FieldReader reader(limit, folder);
-  visit_fields(reader, study.limit);
+  study.text = content;
+  read_table(context, "study", study);
+  study.families = read_list<StudyFamily>(context, "families");
+  study.parameters = read_list<StudyParameter>(context, "parameters");
+  read_table(context, "limit", study.limit);
+  read_table(context, "factor", study.factor);
   check_study(context, study);
+  check_sought(context, study);
   problems.throw_if_errors();
   return study;
 }

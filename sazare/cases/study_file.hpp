@@ -1,14 +1,18 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "sazare/cases/case_file.hpp"
 #include "sazare/cases/format/schema.hpp"
 #include "sazare/core/vector.hpp"
 
 /// A study: families of cases, every combination of some parameters, and what is sought in each.
 namespace sazare::cases {
+
+enum class Sought { time_step, factor_of_safety };
 
 struct StudyFamily {
   std::string name;
@@ -28,12 +32,20 @@ struct StudyLimit {
   Real divergence = 1e15;  // m/s2
 };
 
-struct Study {
-  std::filesystem::path path;
+struct StudyFactor {
+  Real lower = 0.5;
+  Real upper = 4;
+  Real ratio = 1.01;
+  std::optional<Real> displacement_ratio;  // of the ground to that without a limit of strength; without it that of the method
+};
+
+struct Study : CaseSource {
   std::string title;
+  Sought find = Sought::time_step;
   std::vector<StudyFamily> families;
   std::vector<StudyParameter> parameters;
   StudyLimit limit;
+  StudyFactor factor;
 
   /// Cases of the study; a family's stand together, and the last parameter changes first.
   std::size_t size() const;

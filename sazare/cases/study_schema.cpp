@@ -5,8 +5,17 @@
 namespace sazare::cases {
 namespace {
 
+constexpr std::array<std::string_view, 2> sought{"time_step", "factor_of_safety"};
+
 constexpr std::array study_keys{
     Key{.name = "title", .type = Type::text, .need = Need::required, .sentence = "Title of the study in reports."},
+    Key{.name = "find",
+        .type = Type::choice,
+        .default_text = "\"time_step\"",
+        .sentence =
+            "What is sought in each case: the largest stable time step, or the factor of safety by strength reduction. A case "
+            "whose method cannot do it is refused.",
+        .choices = sought},
 };
 
 constexpr std::array family_keys{
@@ -14,7 +23,7 @@ constexpr std::array family_keys{
     Key{.name = "case",
         .type = Type::file,
         .need = Need::required,
-        .sentence = "Case file of method mps that the family varies, relative to the study file."},
+        .sentence = "Case file that the family varies, relative to the study file."},
 };
 
 constexpr std::array parameter_keys{
@@ -46,11 +55,39 @@ constexpr std::array limit_keys{
         .sentence = "Acceleration above which a trial is taken to have diverged."},
 };
 
+constexpr std::array factor_keys{
+    Key{.name = "lower",
+        .type = Type::number,
+        .range = positive,
+        .default_text = "0.5",
+        .sentence = "Factor at which the ground stands. Strengths are divided by factors: below 1 the ground is stronger than in "
+                    "its case."},
+    Key{.name = "upper",
+        .type = Type::number,
+        .range = positive,
+        .default_text = "4.0",
+        .sentence = "Factor at which the ground fails."},
+    Key{.name = "ratio",
+        .type = Type::number,
+        .range = {.low = 1, .high = 10, .low_open = true},
+        .default_text = "1.01",
+        .sentence = "Ratio of the smallest factor with which the ground fails to the largest with which it stands at which the "
+                    "bisection ends."},
+    Key{.name = "displacement_ratio",
+        .type = Type::number,
+        .range = {.low = 1, .high = 1000, .low_open = true},
+        .note = "default: that of the method",
+        .sentence =
+            "The ground has failed where it finds no equilibrium under gravity, or where the largest displacement is more "
+            "than so many times that of the same ground without a limit of strength."},
+};
+
 constexpr std::array tables{
-    Table{"study", false, Need::required, "Title of the study.", study_keys},
+    Table{"study", false, Need::required, "Title of the study, and what it seeks.", study_keys},
     Table{"families", true, Need::required, "Cases that are varied.", family_keys},
-    Table{"parameters", true, Need::required, "Parameters that are varied: all combinations are run.", parameter_keys},
+    Table{"parameters", true, Need::optional, "Parameters that are varied: all combinations are run.", parameter_keys},
     Table{"limit", false, Need::optional, "How the stability limit is found by bisection.", limit_keys},
+    Table{"factor", false, Need::optional, "How the factor of safety is found by bisection.", factor_keys},
 };
 
 }  // namespace

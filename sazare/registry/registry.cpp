@@ -22,15 +22,6 @@ cases::CaseFormats formats() {
   return all;
 }
 
-const runs::Method& with_limit(const cases::CaseFile& file) {
-  const runs::Method& found = method(file.method);
-  if (found.find_limit != nullptr) return found;
-  std::string able;
-  for (const runs::Method& other : methods())
-    if (other.find_limit != nullptr) able += fmt::format("{}{}", able.empty() ? "" : ", ", other.format.method);
-  throw UserError(fmt::format("{}: a stability limit can be searched for cases of method {} only", file.path.string(), able));
-}
-
 }  // namespace
 
 const runs::Method& method(std::string_view name) {
@@ -64,16 +55,10 @@ runs::RunOutcome run_case(const cases::CaseFile& file, const runs::RunOptions& o
 std::string check_case(const cases::CaseFile& file) { return method(file.method).check(file); }
 
 runs::StudyOutcome run_study(const cases::Study& study, const runs::StudyOptions& options) {
-  const runs::LimitSeeker seeker{
-      .read =
-          [](const std::filesystem::path& path, std::span<const std::string> overrides) {
-            cases::CaseFile file = read_case(path, overrides);
-            with_limit(file);
-            return file;
-          },
-      .find = [](const cases::CaseFile& file,
-                 const runs::LimitRules& rules) { return method(file.method).find_limit(file, rules); }};
-  return runs::run_study(study, options, seeker);
+  const auto read = [](const std::filesystem::path& path, std::span<const std::string> overrides) {
+    return read_case(path, overrides);
+  };
+  return runs::run_study(study, options, {read, methods()});
 }
 
 std::string schema_json() { return cases::schema_json(formats()); }

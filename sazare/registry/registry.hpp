@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "sazare/runs/method.hpp"
-#include "sazare/runs/run_study.hpp"
+#include "sazare/runs/studies/run_study.hpp"
 
 namespace sazare::registry {
 
@@ -39,7 +39,7 @@ runs::RunOutcome run_case(const cases::CaseFile& file, const runs::RunOptions& o
 /// What a case will do, in words. Throws UserError with everything that is wrong.
 std::string check_case(const cases::CaseFile& file);
 
-/// Seeks the limit of every case of a study; see runs::run_study.
+/// Seeks in every case of a study what it asks for; see runs::run_study.
 runs::StudyOutcome run_study(const cases::Study& study, const runs::StudyOptions& options);
 
 /// JSON schema and reference page of the case file, reference page of a run's folder.

@@ -16,6 +16,8 @@
 
 namespace sazare::runs {
 
+class StrengthReduction;
+
 /// Part of a table of the reference: what it belongs to, and its rows.
 struct ColumnGroup {
   std::string_view of;
@@ -44,6 +46,9 @@ struct Method {
   std::string (*explain_ranks)(const cases::CaseFile& file, int ranks) = nullptr;
   /// The limit step of a case by trial; none where a study does not seek it.
   FoundLimit (*find_limit)(const cases::CaseFile& file, const LimitRules& rules) = nullptr;
+  /// The ground of a case with a strength that can be divided by a factor; none where the method knows no such ground. Refuses a
+  /// case without gravity or strength, at the place of what is missing. The case must outlive it.
+  std::unique_ptr<StrengthReduction> (*reduce_strength)(const cases::CaseFile& file) = nullptr;
 };
 
 }  // namespace sazare::runs

@@ -41,7 +41,7 @@ constexpr std::array file_names = {"case.toml",     "history.csv",    "gauges.cs
                                    "fragments.csv", "holes.csv",      "half_casts.csv",      "timing.csv",      "ranks.csv",
                                    "mesh.msh",      "report.html",    "ground_motion.csv",   "study.csv",       "study.id",
                                    "profiles.csv",  "structures.csv",  "regression.csv", "regression_lines.csv"};
-constexpr std::array folder_names = {"snapshots", "checkpoint", "continuum", "bodies"};
+constexpr std::array folder_names = {"snapshots", "checkpoint", "continuum", "bodies", "trials"};
 constexpr std::array side_names = {"continuum", "bodies"};
 constexpr std::array series_names = {"elements", "joints", "particles", "finite_elements", "rectangles", "walls"};
 
@@ -79,13 +79,13 @@ void remove_files_of(const fs::path& folder) {
   for (const fs::path& file : snapshots_in(folder)) remove_file(file);
 }
 
-/// Pictures of the report of the run that was there.
-void remove_pictures(const fs::path& folder) {
+/// Files of a kind in a folder that has no others: pictures of the report, tables of the trials of a study.
+void remove_files_in(const fs::path& folder, std::string_view kind) {
   if (is_link(folder)) return;
   std::vector<fs::path> found;
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(folder, ignored))
-    if (entry.path().extension() == ".png") found.push_back(entry.path());
+    if (entry.path().extension() == kind) found.push_back(entry.path());
   for (const fs::path& file : found) remove_file(file);
   fs::remove(folder, ignored);  // where nothing of others is left
 }
@@ -244,7 +244,8 @@ void RunFolder::remove_run() const {
     fs::remove(path_ / side / "snapshots", ignored);
     fs::remove(path_ / side, ignored);  // where nothing of others is left
   }
-  remove_pictures(path_ / "report");
+  remove_files_in(path_ / "report", ".png");
+  remove_files_in(path_ / "trials", ".csv");
   remove_files_of(path_);
   remove_file(manifest());
 }

@@ -82,6 +82,7 @@ RUNS = {
     "quay-wall-dry": Run(until(1)),
     "seawall-two-programs": Run(sides_until(0.5), two_programs=True),
     "shaking-table": Run(),
+    "slope-factor-of-safety": Run(study_values={"friction angle": [20.0]}),
     "slope-free-field": Run(until(2)),
     "slope-hits-wall": Run(sides_until(1)),  # the ground arrives at 0.86 s
     "slope-el-centro": Run(until(6, "particles.spacing=1")),

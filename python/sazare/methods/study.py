@@ -1,11 +1,11 @@
-"""Pictures of a study of limit steps: those of Yoshida, Ohba and Nakase (2010), figures 4 to 10. Each returns a Figure, or None."""
+"""Pictures of a study: of factors of safety those of `study_factors`, of limit steps those of Yoshida, Ohba and Nakase (2010), figures 4 to 10. Each returns a Figure, or None."""
 
 from functools import partial
 
 import numpy as np
 
 from sazare import style
-from sazare.methods import Figure, Method, Section, common
+from sazare.methods import Figure, Method, Section, common, study_factors
 
 COLORS = ["#2f6f8f", "#b5472f", "#7a9a3f", "#8e7cc3", "#c9a66b", "#2b2b2b"]
 NEEDED = ("spacing", "velocity", "damping")
@@ -176,8 +176,14 @@ def fit_quality(results):
     return figure
 
 
+def _seeks_factors(results):
+    return "factor" in results.study or "smallest_factor" in results.figures
+
+
 def sections(results):
-    """The figures of the paper."""
+    """The figures of the paper, or those of factors of safety."""
+    if _seeks_factors(results):
+        return study_factors.sections(results)
     missing = "The study varies other parameters or is not complete."
     pictures = [
         ("damping", "Stability limit against damping", "Dots: bisection; lines: predicted from the linearised operator. Figure 4 of the paper.",
@@ -193,6 +199,8 @@ def sections(results):
 
 def verdict(results):
     """A completed study is good; the largest error of the prediction is given."""
+    if _seeks_factors(results):
+        return study_factors.verdict(results)
     largest = results.figures.get("largest_log_difference", 0.0)
     return "good", f"The study is complete. Prediction and bisection differ by at most {100 * largest:.2f} %."
 
@@ -200,5 +208,6 @@ def verdict(results):
 METHOD = Method(
     sections=sections,
     verdict=verdict,
+    sheets=lambda results: study_factors.sheets(results) if _seeks_factors(results) else [],
     headlines=(Figure("cases", "cases", note=common.count_note("cases_done", "complete")),),
 )

@@ -5,6 +5,7 @@
 #include "sazare/methods/fem/case/format.hpp"
 #include "sazare/methods/fem/run/columns.hpp"
 #include "sazare/methods/fem/run/run.hpp"
+#include "sazare/methods/fem/run/strength_reduction.hpp"
 #include "sazare/runs/record_columns.hpp"
 #include "sazare/runs/record_figures.hpp"
 #include "sazare/runs/summary.hpp"
@@ -45,7 +46,8 @@ Method fem_method() {
           .open = open_fem,
           .check = check_fem,
           .summary = fem_summary,
-          .tables = tables_of_fem};
+          .tables = tables_of_fem,
+          .reduce_strength = reduce_strength_of_fem};
 }
 
 }  // namespace sazare::runs

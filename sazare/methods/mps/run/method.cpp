@@ -6,6 +6,7 @@
 #include "sazare/methods/mps/run/columns.hpp"
 #include "sazare/methods/mps/run/limit_search.hpp"
 #include "sazare/methods/mps/run/run.hpp"
+#include "sazare/methods/mps/run/strength_reduction.hpp"
 #include "sazare/runs/record_columns.hpp"
 #include "sazare/runs/record_figures.hpp"
 #include "sazare/runs/summary.hpp"
@@ -44,7 +45,8 @@ Method mps_method() {
           .check = [](const cases::CaseFile& file) { return check_mps(file); },
           .summary = mps_summary,
           .tables = tables_of_mps,
-          .find_limit = find_limit};
+          .find_limit = find_limit,
+          .reduce_strength = reduce_strength_of_mps};
 }
 
 }  // namespace sazare::runs

@@ -82,7 +82,8 @@ bool settle_columns(const cases::MpsCase& mps, MpsModel<D>& model, Real toleranc
 }  // namespace
 
 template <int D>
-bool settle(const cases::MpsCase& mps, MpsModel<D>& model, const RunOptions& options, Rest rest) {
+bool settle(const cases::MpsCase& mps, MpsModel<D>& model, const RunOptions& options, Rest rest,
+            const std::function<bool(std::int64_t steps)>& is_enough) {
   if (!mps.gravity.settle) return true;
   const Real gravity = mps.gravity.acceleration.norm();
   const Real tolerance = (rest == Rest::nearly ? rattling_share : relaxed_share) * gravity,
@@ -95,7 +96,7 @@ bool settle(const cases::MpsCase& mps, MpsModel<D>& model, const RunOptions& opt
   std::optional<Index> slides;
   Progress progress(options.quiet, {.smallest_step = model.step, .broken_joints = -1, .evaluated = "particle-steps"});
   Real first = 0;
-  bool asked = false;
+  bool asked = false, enough = false;
   const auto goes_on = [&](std::int64_t done, Real left) {
     first = std::max(first, left);
     // What is left falls by about the same factor in equal times.
@@ -103,8 +104,11 @@ bool settle(const cases::MpsCase& mps, MpsModel<D>& model, const RunOptions& opt
       progress.show(
           {std::log(first / left) / std::log(first / tolerance), 0, done * particles, model.step, -1, "particle-steps"});
     asked = is_stopped(options);
-    if (done % check_steps == 0) slides = search.find();
-    return !asked && !slides;
+    if (done % check_steps == 0) {
+      slides = search.find();
+      enough = is_enough && is_enough(done);
+    }
+    return !asked && !slides && !enough;
   };
   const Real left = model.stepper->relax({tolerance, mps.gravity.max_settling_steps, goes_on});
   if (asked) return false;
@@ -114,7 +118,7 @@ bool settle(const cases::MpsCase& mps, MpsModel<D>& model, const RunOptions& opt
         "no equilibrium under gravity: the ground at {} broke and has moved by more than a spacing since\n"
         "  the ground slides under its own weight: check its strength and its shape, or run it without settle to see the slide",
         place_words<D>(model, *slides)));
-  if (left <= tolerance) return true;
+  if (left <= tolerance || enough) return true;
   const std::string after = words_of_rest(mps.gravity.max_settling_steps, left, tolerance);
   if (left <= accepted) {
     if (!options.quiet) fmt::print("the equilibrium under gravity is all but reached: {}\n", after);
@@ -126,7 +130,7 @@ bool settle(const cases::MpsCase& mps, MpsModel<D>& model, const RunOptions& opt
                   after));
 }
 
-template bool settle<2>(const cases::MpsCase&, MpsModel<2>&, const RunOptions&, Rest);
-template bool settle<3>(const cases::MpsCase&, MpsModel<3>&, const RunOptions&, Rest);
+template bool settle<2>(const cases::MpsCase&, MpsModel<2>&, const RunOptions&, Rest, const std::function<bool(std::int64_t)>&);
+template bool settle<3>(const cases::MpsCase&, MpsModel<3>&, const RunOptions&, Rest, const std::function<bool(std::int64_t)>&);
 
 }  // namespace sazare::runs

@@ -4,7 +4,7 @@
 #include "sazare/methods/mps/run/model.hpp"
 #include "sazare/parallel/tasks.hpp"
 #include "sazare/registry/registry.hpp"
-#include "sazare/runs/limit_regression.hpp"
+#include "sazare/runs/studies/limit_regression.hpp"
 #include "validation/common/rows.hpp"
 
 int main() {

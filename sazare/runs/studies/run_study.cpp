@@ -1,11 +1,10 @@
-#include "sazare/runs/run_study.hpp"
+#include "sazare/runs/studies/run_study.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <map>
@@ -20,8 +19,9 @@
 #include "sazare/observe/hash.hpp"
 #include "sazare/observe/manifest.hpp"
 #include "sazare/parallel/tasks.hpp"
-#include "sazare/runs/limit_regression.hpp"
 #include "sazare/runs/progress.hpp"
+#include "sazare/runs/studies/safety_factors.hpp"
+#include "sazare/runs/studies/step_limits.hpp"
 
 namespace sazare::runs {
 
@@ -29,7 +29,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-using Row = std::vector<observe::CsvField>;
 constexpr auto line_interval = std::chrono::seconds(2);
 
 std::string text_of(const fs::path& path) {
@@ -49,13 +48,28 @@ std::string identity_of(const cases::Study& study) {
   return observe::to_hex(hash.value()) + "\n";
 }
 
-std::vector<std::string> columns_of(const cases::Study& study) {
+std::unique_ptr<StudySearch> search_of(const cases::Study& study, const StudyOptions& options) {
+  if (study.find == cases::Sought::factor_of_safety) return safety_factors(study, options);
+  return step_limits(study, options.folder);
+}
+
+std::vector<std::string> columns_of(const cases::Study& study, const StudySearch& search) {
   std::vector<std::string> columns = {"case [-]", "family [-]"};
   for (const auto& parameter : study.parameters) columns.push_back(fmt::format("{} [{}]", parameter.name, parameter.unit));
-  for (const char* rest :
-       {"particles [-]", "predicted [s]", "stable [s]", "unstable [s]", "limit [s]", "trials [-]", "seconds [s]"})
-    columns.emplace_back(rest);
+  for (const std::string& found : search.columns()) columns.push_back(found);
+  columns.emplace_back("seconds [s]");
   return columns;
+}
+
+/// Columns are found by their names.
+void check_columns(const cases::Study& study, const std::vector<std::string>& columns) {
+  for (std::size_t i = 0; i < study.parameters.size(); ++i) {
+    const std::string start = study.parameters[i].name + " [";
+    if (std::ranges::count_if(columns, [&](const std::string& column) { return column.starts_with(start); }) > 1)
+      cases::refuse(study, fmt::format("parameters.{}.name", i),
+                    fmt::format("study.csv has a column \"{}\" of its own", study.parameters[i].name),
+                    "give the parameter another name");
+  }
 }
 
 std::vector<std::string> split(const std::string& line) {
@@ -67,15 +81,18 @@ std::vector<std::string> split(const std::string& line) {
 
 class StudyRun {
 public:
-  StudyRun(const cases::Study& study, const StudyOptions& options, const LimitSeeker& seeker)
+  StudyRun(const cases::Study& study, const StudyOptions& options, const StudyMethods& methods)
       : study_(study),
         options_(options),
-        seeker_(seeker),
+        methods_(methods),
+        search_(search_of(study, options)),
+        columns_(columns_of(study, *search_)),
         folder_(options.folder, options.begin),
         table_(folder_.path() / "study.csv"),
         identity_file_(folder_.path() / "study.id") {}
 
   StudyOutcome run() {
+    check_columns(study_, columns_);
     if (options_.begin == Begin::resume) take_rows();
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < study_.size(); ++i)
@@ -86,12 +103,11 @@ public:
     write_manifest("running");
     already_ = rows_.size();
     parallel::run_tasks(open.size(), options_.threads, [&](std::size_t i) { solve(open[i]); });
-    StudyOutcome outcome{rows_.size(), study_.size(), largest_difference(), seconds_since_start()};
-    const bool done = outcome.done == outcome.cases;
+    const bool done = rows_.size() == study_.size();
     write_table();
-    if (done) write_regression();
+    if (done) search_->write_tables(rows());
     write_manifest(done ? "done" : "stopped");
-    return outcome;
+    return {rows_.size(), study_.size(), seconds_since_start(), done ? search_->summary(rows()) : ""};
   }
 
 private:
@@ -119,42 +135,75 @@ private:
                       folder_.path().string()));
     std::string line;
     std::getline(stream, line);
-    const std::size_t count = columns_of(study_).size();
-    while (std::getline(stream, line)) {
-      const std::vector<std::string> fields = split(line);
-      if (fields.size() != count) refuse_table();
-      const auto number = number_in<std::int64_t>(fields[0]);
-      Row row = {number, fields[1]};
-      for (std::size_t i = 2; i < count; ++i) row.emplace_back(number_in<Real>(fields[i]));
-      if (number < 0 || static_cast<std::size_t>(number) >= study_.size()) refuse_table();
-      rows_[static_cast<std::size_t>(number)] = std::move(row);
-    }
+    while (std::getline(stream, line)) take_row(split(line));
   }
+
+  void take_row(const std::vector<std::string>& fields) {
+    if (fields.size() != columns_.size()) refuse_table();
+    const auto number = number_in<std::int64_t>(fields[0]);
+    if (number < 0 || static_cast<std::size_t>(number) >= study_.size()) refuse_table();
+    std::vector<Real> numbers;
+    for (std::size_t i = 2; i < fields.size(); ++i) numbers.push_back(number_in<Real>(fields[i]));
+    const auto values = static_cast<std::ptrdiff_t>(study_.parameters.size());
+    rows_[static_cast<std::size_t>(number)] = {static_cast<std::size_t>(number),
+                                               fields[1],
+                                               {numbers.begin(), numbers.begin() + values},
+                                               {numbers.begin() + values, numbers.end() - 1},
+                                               numbers.back()};
+  }
+
+  const Method& method_of(std::size_t number, const cases::CaseFile& file) const {
+    const auto& all = methods_.methods;
+    const auto found = std::ranges::find(all, file.method, [](const Method& one) { return one.format.method; });
+    if (search_->is_for(*found)) return *found;
+    std::string able;
+    for (const Method& other : all)
+      if (search_->is_for(other)) able += fmt::format("{}{}", able.empty() ? "" : ", ", other.format.method);
+    const std::size_t family = number / (study_.size() / study_.families.size());
+    cases::refuse(study_, fmt::format("families.{}.case", family),
+                  fmt::format("{} cannot be sought in cases of method {}", search_->sought(), file.method),
+                  fmt::format("it can in those of: {}", able));
+  }
+
+  cases::CaseFile read(std::size_t number) const { return methods_.read(study_.family(number).file, study_.overrides(number)); }
 
   /// All errors of all cases before anything is run.
   void check_cases(const std::vector<std::size_t>& open) const {
-    for (const std::size_t number : open) seeker_.read(study_.family(number).file, study_.overrides(number));
+    for (const std::size_t number : open) {
+      const cases::CaseFile file = read(number);
+      search_->check(method_of(number, file), file);
+    }
   }
 
   void solve(std::size_t number) {
     if (options_.stop_asked != nullptr && options_.stop_asked->load(std::memory_order_relaxed)) return;
     const auto began = Clock::now();
-    const cases::CaseFile file = seeker_.read(study_.family(number).file, study_.overrides(number));
-    const FoundLimit found = seeker_.find(file, {study_.limit.ratio, study_.limit.steps, study_.limit.divergence});
-    Row row = {static_cast<std::int64_t>(number), study_.family(number).name};
-    for (const Real value : study_.values(number)) row.emplace_back(value);
-    row.insert(row.end(), {static_cast<Real>(found.particles), found.predicted, found.stable, found.unstable, found.limit(),
-                           static_cast<Real>(found.trials), std::chrono::duration<Real>(Clock::now() - began).count()});
+    const cases::CaseFile file = read(number);
+    std::vector<Real> found = search_->find(method_of(number, file), file, number);
+    if (found.empty()) return;
     const std::lock_guard lock(mutex_);
-    rows_[number] = std::move(row);
+    rows_[number] = {number, study_.family(number).name, study_.values(number), std::move(found),
+                     std::chrono::duration<Real>(Clock::now() - began).count()};
     write_table();
     show();
   }
 
-  void write_table() const {
-    std::vector<Row> rows;
+  std::vector<StudyRow> rows() const {
+    std::vector<StudyRow> rows;
     for (const auto& [number, row] : rows_) rows.push_back(row);
-    observe::write_csv(table_, columns_of(study_), rows);
+    return rows;
+  }
+
+  void write_table() const {
+    std::vector<std::vector<observe::CsvField>> table;
+    for (const auto& [number, row] : rows_) {
+      auto& fields = table.emplace_back();
+      fields = {static_cast<std::int64_t>(number), row.family};
+      fields.insert(fields.end(), row.values.begin(), row.values.end());
+      fields.insert(fields.end(), row.found.begin(), row.found.end());
+      fields.emplace_back(row.seconds);
+    }
+    observe::write_csv(table_, columns_, table);
   }
 
   void show() {
@@ -166,47 +215,6 @@ private:
     std::fflush(stdout);
   }
 
-  Real number_in(const Row& row, std::size_t column) const { return std::get<Real>(row[column]); }
-  std::size_t predicted_column() const { return study_.parameters.size() + 3; }
-  std::size_t limit_column() const { return study_.parameters.size() + 6; }
-
-  Real largest_difference() const {
-    Real largest = 0;
-    for (const auto& [number, row] : rows_)
-      if (number_in(row, predicted_column()) > 0)
-        largest = std::max(largest, std::abs(std::log(number_in(row, limit_column()) / number_in(row, predicted_column()))));
-    return largest;
-  }
-
-  std::size_t parameter(std::string_view name) const {
-    return static_cast<std::size_t>(std::ranges::find(study_.parameters, name, &cases::StudyParameter::name) -
-                                    study_.parameters.begin());
-  }
-
-  void write_regression() const {
-    const std::size_t spacing = parameter("spacing"), velocity = parameter("velocity"), damping = parameter("damping");
-    if (std::max({spacing, velocity, damping}) >= study_.parameters.size()) return;
-    for (const std::size_t needed : {spacing, velocity})
-      if (study_.parameters[needed].values.size() < 2) return;
-    if (study_.parameters[damping].values.size() < 3) return;
-    std::vector<Row> coefficients, lines;
-    for (const cases::StudyFamily& family : study_.families) {
-      std::vector<LimitPoint> points;
-      for (const auto& [number, row] : rows_)
-        if (std::get<std::string>(row[1]) == family.name)
-          points.push_back({0.5 * number_in(row, 2 + spacing), number_in(row, 2 + velocity), number_in(row, 2 + damping),
-                            number_in(row, limit_column())});
-      const LimitFit fit = fit_limits(points);
-      coefficients.push_back(
-          {family.name, fit.b1[0], fit.b1[1], fit.b1[2], fit.b2[0], fit.b2[1], fit.b2[2], log_error(fit, points)});
-      for (const DampingFit& line : fit.by_damping) lines.push_back({family.name, line.damping, line.a1, line.a2});
-    }
-    observe::write_csv(folder_.path() / "regression.csv",
-                       {"family [-]", "b11 [-]", "b12 [-]", "b13 [-]", "b21 [-]", "b22 [-]", "b23 [-]", "log_error [-]"},
-                       coefficients);
-    observe::write_csv(folder_.path() / "regression_lines.csv", {"family [-]", "damping [-]", "a1 [-]", "a2 [-]"}, lines);
-  }
-
   void write_manifest(const std::string& status) const {
     observe::Manifest manifest = observe::new_manifest();
     manifest.case_title = study_.title;
@@ -216,29 +224,31 @@ private:
     manifest.finished = status == "running" ? "" : observe::time_of_day();
     manifest.machine.threads = options_.threads;
     manifest.results = {{"cases", static_cast<std::int64_t>(study_.size())},
-                        {"cases_done", static_cast<std::int64_t>(rows_.size())},
-                        {"largest_log_difference", largest_difference()},
-                        {"wall_seconds", seconds_since_start()}};
+                        {"cases_done", static_cast<std::int64_t>(rows_.size())}};
+    for (const auto& figure : search_->figures(rows())) manifest.results.push_back(figure);
+    manifest.results.emplace_back("wall_seconds", seconds_since_start());
     observe::write_manifest(folder_.manifest(), manifest);
   }
 
   const cases::Study& study_;
   const StudyOptions& options_;
-  const LimitSeeker& seeker_;
+  const StudyMethods& methods_;
+  std::unique_ptr<StudySearch> search_;
+  std::vector<std::string> columns_;
   Clock::time_point start_ = Clock::now();
   Clock::time_point next_line_ = start_;
   std::string started_ = observe::time_of_day();
   RunFolder folder_;
   fs::path table_, identity_file_;
-  std::map<std::size_t, Row> rows_;
+  std::map<std::size_t, StudyRow> rows_;
   std::size_t already_ = 0;
   std::mutex mutex_;
 };
 
 }  // namespace
 
-StudyOutcome run_study(const cases::Study& study, const StudyOptions& options, const LimitSeeker& seeker) {
-  return StudyRun(study, options, seeker).run();
+StudyOutcome run_study(const cases::Study& study, const StudyOptions& options, const StudyMethods& methods) {
+  return StudyRun(study, options, methods).run();
 }
 
 }  // namespace sazare::runs

@@ -1,4 +1,4 @@
-#include "sazare/runs/limit_regression.hpp"
+#include "sazare/runs/studies/limit_regression.hpp"
 
 #include <Eigen/Dense>
 #include <cmath>
