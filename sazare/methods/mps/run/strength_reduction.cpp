@@ -31,6 +31,7 @@ cases::CaseFile with_strength(const cases::CaseFile& file, const std::optional<R
     const ReducedStrength reduced =
         ReducedStrength{ground.cohesion, ground.friction_angle, ground.dilation_angle, ground.tensile_strength}.over(*factor);
     ground.cohesion = reduced.cohesion;
+    if (ground.residual_cohesion) *ground.residual_cohesion /= *factor;
     ground.friction_angle = reduced.friction_angle;
     ground.dilation_angle = reduced.dilation_angle;
     ground.tensile_strength = reduced.tensile_strength;
