@@ -119,6 +119,23 @@ def test_the_stress_of_a_run_of_mps_is_that_of_the_ground_above(tmp_path):
     assert history.strain[-1] == pytest.approx(strain, abs=0.04 * np.abs(strain).max())
 
 
+def test_the_stress_of_a_run_of_fem_is_that_of_its_elements(tmp_path):
+    """In a column of soil on rock of another density, which a record shakes."""
+    case = Path(__file__).resolve().parents[2] / "validation/analytic/column-beside-pystrata/elements.toml"
+    opened = sazare.read_case(case)
+    opened.gauges = [sazare.cases.fem.Gauge(name=f"g{height}", point=[0.0, float(height), 0.0]) for height in range(23)]
+    opened.time.end = opened.time.snapshot_interval = 2.0
+    results = sazare.run(opened, tmp_path / "run", progress=False)
+    motions = sazare.ground_motion.gauges.gauge_motions(results)
+    stack = sazare.ground_motion.gauges.stacks(results, motions)[0]
+    history = sazare.ground_motion.shear_history_of(results, stack, 0, 1)
+    grid = results.element_snapshots[-1].elements
+    height = np.asarray(grid.cell_centers().points)[:, 1]
+    assert set(np.asarray(grid["density"])) == {1800.0, 2200.0}
+    own = np.interp(history.height, *_mean_by_row(height, np.asarray(grid["shear_stress"])[:, 0]))
+    assert history.stress[-1] == pytest.approx(own, abs=0.04 * np.abs(own).max())
+
+
 def _mean_by_row(height, values):
     rows, number = np.unique(np.round(height, 2), return_inverse=True)
     return rows, np.bincount(number, values) / np.bincount(number)

@@ -191,6 +191,7 @@ std::int64_t Ranks::from_first(std::int64_t number) const {
 }
 
 void Ranks::exchange(const std::vector<Message>& sent, std::vector<Message>& received, Topic topic) const {
+  if (sent.empty() && received.empty()) return;  // a process alone has not begun MPI
   Wait wait(*this);
   std::vector<MPI_Request> requests;
   const auto for_parts = [&](std::size_t size, auto&& begin_part) {  // they arrive in the order in which they are sent

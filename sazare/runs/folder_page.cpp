@@ -90,7 +90,7 @@ A row for every two neighbouring gauges that stand above each other, and every h
 | `axis` | | x, y or z |
 | `height` | m | of the middle between them |
 | `peak_shear_strain` | - | difference of their displacements over their distance |
-| `peak_shear_stress` | Pa | which moves the ground above the middle: the integral of density times acceleration; of `mps`, whose snapshots tell the density, else `nan` |
+| `peak_shear_stress` | Pa | which moves the ground above the middle: the integral of density times acceleration; with the densities of the first snapshot; `nan` where there is none |
 )";
 
 /// Written by Python (sazare.structures), whose test compares these names.

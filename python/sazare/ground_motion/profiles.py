@@ -73,35 +73,67 @@ def ground_of(results, points, up):
     """Densities [kg/m3] between gauges at places above each other, and the mass above the highest one per area [kg/m2]; (None, 0.0) where the run does
     not tell.
 
-    They are those of the particles of method mps at the beginning that are next to the gauges, by their material in the case.
+    They are those of the particles of method mps that are next to the gauges at the beginning, by their material in the case, and of the elements of
+    method fem in which the gauges stand.
     """
+    sideways = [number for number in range(3) if number != up]
+    rows = _rows_of_particles(results, points, up, sideways) or _rows_of_elements(results, points, up, sideways)
+    if rows is None:
+        return None, 0.0
+    gauges, top = points[:, up], rows.high.max()
+    between = [rows.mean_density(low, high) for low, high in zip(gauges, gauges[1:])]
+    return np.array(between), (top - gauges[-1]) * rows.mean_density(gauges[-1], top)
+
+
+@dataclass(frozen=True, eq=False)
+class _Rows:
+    """Ground beside gauges: lower and upper ends [m] and densities [kg/m3] of its parts."""
+
+    low: np.ndarray
+    high: np.ndarray
+    density: np.ndarray
+
+    def mean_density(self, low, high):
+        """Mean over a range of heights [m]; that of the nearest part where none lies in it."""
+        part = np.clip(np.minimum(self.high, high) - np.maximum(self.low, low), 0.0, None)
+        nearest = np.argmin(np.abs(0.5 * (self.low + self.high) - 0.5 * (low + high)))
+        return float(part @ self.density / part.sum()) if part.sum() > 0.0 else float(self.density[nearest])
+
+
+def _rows_of_particles(results, points, up, sideways):
     snapshots = results.particle_snapshots
     if not len(snapshots) or results.manifest.get("method") != "mps":
-        return None, 0.0
+        return None
     grid = elements_once(snapshots[0])
     if not {"material", "displacement", "spacing"} <= set(grid.cell_data.keys()):
-        return None, 0.0
+        return None
     start = np.asarray(grid.points) - np.asarray(grid.cell_data["displacement"])
     spacing = float(np.median(grid.cell_data["spacing"]))
-    sideways = [number for number in range(3) if number != up]
     near = np.linalg.norm((start - points[0])[:, sideways], axis=1)
     column = near < near.min() + 0.25 * spacing
     materials = case_of(results).get("materials", [])
     numbers = np.asarray(grid.cell_data["material"])[column]
     if not column.any() or len(materials) <= int(numbers.max()):
-        return None, 0.0
+        return None
     densities = np.array([material["density"] for material in materials], dtype=float)[numbers]
     height, first = np.unique(np.round(start[column, up] / spacing, 3), return_index=True)
-    height, densities = height * spacing, densities[first]
-    gauges, top = points[:, up], height[-1] + 0.5 * spacing
-    between = [_mean_density(height, densities, spacing, low, high) for low, high in zip(gauges, gauges[1:])]
-    return np.array(between), (top - gauges[-1]) * _mean_density(height, densities, spacing, gauges[-1], top)
+    return _Rows((height - 0.5) * spacing, (height + 0.5) * spacing, densities[first])
 
 
-def _mean_density(height, density, spacing, low, high):
-    """Mean over a range of heights [m], of rows that are `spacing` thick; the nearest row where none lies in it."""
-    part = np.clip(np.minimum(height + 0.5 * spacing, high) - np.maximum(height - 0.5 * spacing, low), 0.0, None)
-    return float(part @ density / part.sum()) if part.sum() > 0.0 else float(density[np.argmin(np.abs(height - 0.5 * (low + high)))])
+def _rows_of_elements(results, points, up, sideways):
+    snapshots = results.element_snapshots
+    if not len(snapshots) or results.manifest.get("method") != "fem":
+        return None
+    grid = elements_once(snapshots[0])
+    if "density" not in grid.cell_data or "displacement" not in grid.point_data:
+        return None
+    start = np.asarray(grid.points) - np.asarray(grid.point_data["displacement"])
+    corners, begin = start[grid.cell_connectivity], grid.offset[:-1]
+    low, high = np.minimum.reduceat(corners, begin), np.maximum.reduceat(corners, begin)
+    slack = 1e-6 * float(np.ptp(start, axis=0).max())
+    beside = np.all((low[:, sideways] <= points[0][sideways] + slack) & (high[:, sideways] >= points[0][sideways] - slack), axis=1)
+    column = beside & (high[:, up] > low[:, up]) & np.isfinite(grid.cell_data["density"])
+    return _Rows(low[column, up], high[column, up], np.asarray(grid.cell_data["density"])[column]) if column.any() else None
 
 
 def shear_history_of(results, stack, axis, up):

@@ -69,7 +69,8 @@ inline constexpr std::array elements = {
     Column{"pressure", "Pa", "minus the mean of the normal stresses"},
     Column{"von_mises_stress", "Pa", ""},
     Column{"plastic_shear_strain", "-", "equivalent plastic shear strain"},
-    Column{"region", "-", "physical group in the mesh, counted from 0 as the file has them"}};
+    Column{"region", "-", "physical group in the mesh, counted from 0 as the file has them"},
+    Column{"density", "kg/m3", "at the beginning; of saturated ground with its water"}};
 
 inline constexpr std::array soil = {
     Column{"shear_strain_max", "-", "largest shear strain so far, of soil with a backbone; only where there is any"}};

@@ -218,6 +218,21 @@ Real von_mises_stress(const Vector3& normal, const Vector3& shear) {
   return std::sqrt(1.5 * deviator.squaredNorm() + 3 * shear.squaredNorm());
 }
 
+/// Of the elements, by the material at the middle of their nodes [kg/m3].
+template <int D>
+std::vector<Real> FemRecord<D>::densities() const {
+  const geometry::ElementMesh& mesh = model_->mesh();
+  const auto& body = stepper().body().description();
+  std::vector<Real> densities;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    Vector3 middle = Vector3::Zero();
+    for (const Index node : mesh.elements[e].node_list()) middle += mesh.nodes[static_cast<std::size_t>(node)];
+    middle /= static_cast<Real>(mesh.elements[e].node_list().size());
+    densities.push_back(body.materials[static_cast<std::size_t>(body.material[e])].density_at(middle));
+  }
+  return densities;
+}
+
 template <int D>
 void FemRecord<D>::write_snapshot(Real time) {
   const geometry::ElementMesh& mesh = model_->mesh();
@@ -251,7 +266,8 @@ void FemRecord<D>::write_snapshot(Real time) {
   }
   auto of_points = observe::cell_data(columns::fem::nodes, moved, velocity, acceleration);
   std::ranges::copy(members_.fields(), std::back_inserter(of_points));
-  auto of_cells = observe::cell_data(columns::fem::elements, normal, shear, pressure, von_mises, slip, region);
+  const std::vector<Real> density = densities();
+  auto of_cells = observe::cell_data(columns::fem::elements, normal, shear, pressure, von_mises, slip, region, density);
   const auto has_backbone = [](const auto& material) { return material.backbone.has_value(); };
   if (std::ranges::any_of(stepper().body().description().materials, has_backbone))
     of_cells.push_back(observe::cell_data(columns::fem::soil[0].name, peak));

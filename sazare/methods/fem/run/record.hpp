@@ -41,6 +41,7 @@ private:
   std::vector<Real> gauge_row(Real time);
   std::vector<Vector<D>> boundary_forces() const;
   std::array<Real, columns::fem::energies.size()> energies() const;
+  std::vector<Real> densities() const;
   void write_snapshot(Real time);
   bool has_excess() const { return stepper().body().pores().size() > 0; }
   /// Of all pressure nodes [Pa].

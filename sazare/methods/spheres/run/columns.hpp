@@ -80,6 +80,8 @@ inline constexpr std::array ranks = {
     Column{"messages_sent", "-", "to other ranks; what all give to all counts as one to each"},
     Column{"motion_bytes", "B", "of these, loads and motion of spheres at the borders"},
     Column{"motion_messages", "-", "likewise"},
+    Column{"search_bytes", "B", "of these, spheres and contacts that change their rank, and spheres near borders, at searches"},
+    Column{"search_messages", "-", "likewise"},
     Column{"expected_motion_bytes", "B", "of `motion_bytes`, as the lists of ghosts foretell"},
     Column{"expected_motion_messages", "-", "of `motion_messages`, likewise"}};
 

@@ -45,9 +45,10 @@ void write_rank_times(const std::filesystem::path& file, Real time, const std::v
   observe::add_titles(titles, columns::spheres::ranks);
   std::vector<std::vector<observe::CsvField>> rows;
   for (const SphereRankWork& of : work) {
-    const parallel::Sent all = of.traffic.total(), motion = of.traffic.of(parallel::Topic::motion);
+    const parallel::Sent all = of.traffic.total(), motion = of.traffic.of(parallel::Topic::motion),
+                         search = of.traffic.of(parallel::Topic::search);
     rows.push_back({time, of.rank, of.seconds, of.traffic.seconds, of.spheres, of.shown, all.bytes, all.messages, motion.bytes,
-                    motion.messages, of.expected_motion.bytes, of.expected_motion.messages});
+                    motion.messages, search.bytes, search.messages, of.expected_motion.bytes, of.expected_motion.messages});
   }
   observe::write_csv(file, titles, rows);
 }
