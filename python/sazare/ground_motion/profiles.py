@@ -73,8 +73,8 @@ def ground_of(results, points, up):
     """Densities [kg/m3] between gauges at places above each other, and the mass above the highest one per area [kg/m2]; (None, 0.0) where the run does
     not tell.
 
-    They are those of the particles of method mps that are next to the gauges at the beginning, by their material in the case, and of the elements of
-    method fem in which the gauges stand.
+    They are those of the particles that are next to the gauges at the beginning, by their material in the case, or of the finite elements in which the
+    gauges stand.
     """
     sideways = [number for number in range(3) if number != up]
     rows = _rows_of_particles(results, points, up, sideways) or _rows_of_elements(results, points, up, sideways)
@@ -102,7 +102,7 @@ class _Rows:
 
 def _rows_of_particles(results, points, up, sideways):
     snapshots = results.particle_snapshots
-    if not len(snapshots) or results.manifest.get("method") != "mps":
+    if not len(snapshots):
         return None
     grid = elements_once(snapshots[0])
     if not {"material", "displacement", "spacing"} <= set(grid.cell_data.keys()):
@@ -122,7 +122,7 @@ def _rows_of_particles(results, points, up, sideways):
 
 def _rows_of_elements(results, points, up, sideways):
     snapshots = results.element_snapshots
-    if not len(snapshots) or results.manifest.get("method") != "fem":
+    if not len(snapshots):
         return None
     grid = elements_once(snapshots[0])
     if "density" not in grid.cell_data or "displacement" not in grid.point_data:

@@ -9,8 +9,10 @@ namespace sazare::methods::spheres {
 
 namespace {
 
-/// A rank tells of so many boxes at most; where it has more tiles, one goes around several of them.
-constexpr std::size_t most_boxes = 256;
+/// Boxes go around so many spheres that stand one after the other, or around more where ranks are many: all ranks together tell
+/// of so many boxes at most.
+constexpr std::size_t granule = 64, most_boxes = 65536;
+static_assert(neighbors::tile_size % granule == 0);
 /// Boxes are taken to be wider by this share of a reach and of a place, so that round-off leaves out no sphere.
 constexpr Real round_off = 1e-9;
 
@@ -69,50 +71,73 @@ private:
   Real margin_;
 };
 
+/// Around the spheres of each granule of own tiles.
 std::vector<TileBox> boxes_of_own(const RankTiles& ranks, const state::Spheres& spheres, const Nearness& nearness) {
+  constexpr std::size_t of_tile = neighbors::tile_size / granule;
   const std::vector<std::size_t>& own = ranks.owners().own();
-  std::vector<TileBox> boxes(own.size());
+  std::vector<TileBox> boxes(own.size() * of_tile);
   parallel::parallel_for(own.size(), 2, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n)
-      ranks.visit_tile(own[n], [&](std::size_t i) { boxes[n].take(nearness.within(spheres.place[i]), spheres.place[i].radius); });
+      ranks.visit_tile(own[n], [&](std::size_t i) {
+        const std::size_t in_tile = i % neighbors::tile_size / granule;
+        boxes[n * of_tile + in_tile].take(nearness.within(spheres.place[i]), spheres.place[i].radius);
+      });
   });
   return boxes;
 }
 
-/// As many as a rank tells of, each around as many tiles but one.
-std::vector<TileBox> gathered(const std::vector<TileBox>& of_tiles) {
-  const std::vector<std::size_t> cuts = even_cuts(of_tiles.size(), most_boxes);
-  std::vector<TileBox> some(of_tiles.empty() ? 0 : cuts.size() - 1);
+/// So many boxes at most, each around as many of these but one.
+std::vector<TileBox> gathered(const std::vector<TileBox>& boxes, std::size_t most) {
+  const std::vector<std::size_t> cuts = even_cuts(boxes.size(), most);
+  std::vector<TileBox> some(boxes.empty() ? 0 : cuts.size() - 1);
   for (std::size_t n = 0; n < some.size(); ++n)
-    for (std::size_t tile = cuts[n]; tile < cuts[n + 1]; ++tile) some[n].take(of_tiles[tile]);
+    for (std::size_t box = cuts[n]; box < cuts[n + 1]; ++box) some[n].take(boxes[box]);
   return some;
+}
+
+/// Those of a list that are near a box.
+void find_beside(const Nearness& is_near, const TileBox& box, const std::vector<TileBox>& others, std::vector<TileBox>& beside) {
+  beside.clear();
+  std::ranges::copy_if(others, std::back_inserter(beside), [&](const TileBox& other) { return is_near(box, other); });
+}
+
+/// The places of own spheres near boxes of another rank. `granules` go around own ones.
+std::vector<Index> spheres_near(const RankTiles& ranks, const state::Spheres& spheres, const Nearness& is_near,
+                                const std::vector<TileBox>& granules, const std::vector<TileBox>& boxes) {
+  constexpr std::size_t of_tile = neighbors::tile_size / granule;
+  const std::vector<std::size_t>& own = ranks.owners().own();
+  std::vector<Index> near;
+  std::vector<TileBox> beside_tile, beside;
+  for (std::size_t n = 0; n < own.size(); ++n) {
+    TileBox tile;
+    for (std::size_t g = 0; g < of_tile; ++g) tile.take(granules[n * of_tile + g]);
+    find_beside(is_near, tile, boxes, beside_tile);
+    if (beside_tile.empty()) continue;
+    ranks.visit_tile(own[n], [&](std::size_t i) {
+      const std::size_t in_tile = i % neighbors::tile_size;
+      if (in_tile % granule == 0) find_beside(is_near, granules[n * of_tile + in_tile / granule], beside_tile, beside);
+      TileBox alone;
+      alone.take(is_near.within(spheres.place[i]), spheres.place[i].radius);
+      if (std::ranges::any_of(beside, [&](const TileBox& other) { return is_near(alone, other); }))
+        near.push_back(static_cast<Index>(i));
+    });
+  }
+  return near;
 }
 
 }  // namespace
 
 std::vector<std::vector<Index>> spheres_near_others(const RankTiles& ranks, const state::Spheres& spheres, Real margin) {
   const Nearness is_near(spheres.box, margin);
-  const std::vector<std::size_t>& own = ranks.owners().own();
-  const std::vector<TileBox> of_tiles = boxes_of_own(ranks, spheres, is_near);
-  const std::vector<std::vector<TileBox>> of_ranks = ranks.by_rank(gathered(of_tiles), parallel::Topic::search);
-  std::vector<std::vector<Index>> near(of_ranks.size());
-  parallel::parallel_for_uneven(of_ranks.size(), 2, [&](std::size_t begin, std::size_t end) {
-    std::vector<TileBox> beside;
-    for (std::size_t rank = begin; rank < end; ++rank) {
-      if (static_cast<int>(rank) == ranks.ranks().rank()) continue;
-      for (std::size_t n = 0; n < own.size(); ++n) {
-        beside.clear();
-        std::ranges::copy_if(of_ranks[rank], std::back_inserter(beside),
-                             [&](const TileBox& other) { return is_near(of_tiles[n], other); });
-        if (beside.empty()) continue;
-        ranks.visit_tile(own[n], [&](std::size_t i) {
-          TileBox alone;
-          alone.take(is_near.within(spheres.place[i]), spheres.place[i].radius);
-          if (std::ranges::any_of(beside, [&](const TileBox& other) { return is_near(alone, other); }))
-            near[rank].push_back(static_cast<Index>(i));
-        });
-      }
-    }
+  const std::vector<TileBox> granules = boxes_of_own(ranks, spheres, is_near);
+  const auto count = static_cast<std::size_t>(ranks.ranks().size());
+  const std::vector<std::vector<TileBox>> boxes =
+      ranks.by_rank(gathered(granules, std::max<std::size_t>(most_boxes / count, 1)), parallel::Topic::search);
+  std::vector<std::vector<Index>> near(count);
+  parallel::parallel_for_uneven(count, 2, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t rank = begin; rank < end; ++rank)
+      if (static_cast<int>(rank) != ranks.ranks().rank())
+        near[rank] = spheres_near(ranks, spheres, is_near, granules, boxes[rank]);
   });
   return near;
 }
