@@ -179,14 +179,17 @@ def profiles(results):
 def _draw_shear(panels, sheared, label):
     """Peak strain and stress of each stack; panels without data are taken away."""
     percent = 100.0
-    stresses = [(one, colour) for one, colour in zip(sheared, COLOURS) if one.stress is not None]
-    for one, colour in zip(sheared, COLOURS):
-        panels[0].plot(percent * np.abs(one.strain).max(axis=0), one.height, "s-", color=colour, linewidth=1.2, markersize=4)
+    peaks = [one.peaks() for one in sheared]
+    stresses = [(one, stress, colour) for one, (_, stress), colour in zip(sheared, peaks, COLOURS) if np.isfinite(stress).any()]
+    for one, (strain, _), colour in zip(sheared, peaks, COLOURS):
+        panels[0].plot(percent * strain, one.height, "s-", color=colour, linewidth=1.2, markersize=4)
+    if any(np.isnan(strain).any() for strain, _ in peaks):
+        panels[0].set_title("not where gauges are too far apart for the waves", fontsize="small")
     panels[0].set_xlabel("peak shear strain [%]")
     panels[0].set_ylabel(label)
-    factor, prefix = style.prefix_of(*(one.stress for one, _ in stresses)) if stresses else (1.0, "")
-    for one, colour in stresses:
-        panels[1].plot(np.abs(one.stress).max(axis=0) / factor, one.height, "s-", color=colour, linewidth=1.2, markersize=4)
+    factor, prefix = style.prefix_of(*(stress[np.isfinite(stress)] for _, stress, _ in stresses)) if stresses else (1.0, "")
+    for one, stress, colour in stresses:
+        panels[1].plot(stress / factor, one.height, "s-", color=colour, linewidth=1.2, markersize=4)
     panels[1].set_xlabel(f"peak shear stress [{prefix}Pa]")
     for axes in panels[:2]:
         axes.set_xlim(left=0.0)

@@ -1,25 +1,19 @@
 """The way of a wave through the ground: its field over a section at some times, and traces against height with the travel time of S waves."""
 
-import math
-import tomllib
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from scipy.spatial import cKDTree
-
 from sazare import style
-from sazare.ground_motion.gauges import AXES, gauge_motions, input_axes, stacks, up_axis
-from sazare.model.parts import Opened, region_names
+from sazare.ground_motion.gauges import AXES, case_of, gauge_motions, input_axes, stacks, up_axis
 from sazare.outside import outside_of
 from sazare.shaking import main_axis
+from sazare.s_waves import VERTEX, LEVELS, cells_at_rest, centres, s_velocities, travel_times
 from sazare.snapshots import elements_once
 
-VERTEX = 1  # a cell that is a particle, as VTK numbers them
 ONSET = 0.05  # of the peak acceleration, from which on a wave counts as arrived
 MOST_PANELS = 6
 FEWEST = 3  # snapshots while the wave goes up, with which its front can be followed
-LEVELS = 400  # at which a vertical line looks for the velocity
 WINDOW = (1.0, 6.0)  # travel times before the arrival, and after it, that traces are shown for
 FLAT = 0.2  # height over width, up to which panels stand one above the other
 SLENDER = 5.0  # height over width, above which profiles take the place of sections
@@ -41,52 +35,12 @@ class Passage:
         return float(self.times[-1])
 
 
-def _case(results):
-    try:
-        return tomllib.loads(results.case_text)
-    except tomllib.TOMLDecodeError:
-        return {}
-
-
-def _speed(material):
-    """The S-wave velocity [m/s] of a material of a case."""
-    if "s_wave_velocity" in material:
-        return material["s_wave_velocity"]
-    return math.sqrt(material["youngs_modulus"] / (2.0 * (1.0 + material["poisson_ratio"]) * material["density"]))
-
-
-def s_velocities(results, grid):
-    """The S-wave velocity of small strains [m/s] in every cell of a snapshot (n,); None where case and mesh do not tell."""
-    opened = Opened(results, _case(results))
-    try:
-        speeds = {material["name"]: _speed(material) for material in opened.all("materials")}
-        if "material" in grid.cell_data:
-            return np.array(list(speeds.values()))[np.asarray(grid.cell_data["material"])]
-        found = [speeds[opened.material_of(name)] for name in region_names(opened)]
-        return np.array(found)[np.asarray(grid.cell_data["region"])]
-    except (KeyError, IndexError, TypeError, ValueError):
-        return None
-
-
-def _centres(grid):
-    """The middle of every cell at the beginning [m] (n, 3)."""
-    if int(np.asarray(grid.celltypes)[0]) == VERTEX:
-        return np.asarray(grid.points) - np.asarray(grid.cell_data["displacement"])
-    return np.asarray(_at_rest(grid).cell_centers().points)
-
-
-def _at_rest(grid):
-    before = grid.copy(deep=False)
-    before.points = np.asarray(grid.points) - np.asarray(grid.point_data["displacement"])
-    return before
-
-
 def passage(results):
     """The Passage of the first wave, from the lowest to the highest gauge of those above each other, else through the middle of the body.
 
     None where no motion enters, or case and snapshots do not tell the velocities. It has arrived once the acceleration is ONSET of its peak.
     """
-    snapshots, case = results.all_snapshots, _case(results)
+    snapshots, case = results.all_snapshots, case_of(results)
     if len(snapshots) < 2 or not (input_axes(results) or case.get("incident_wave")):
         return None
     grid = elements_once(snapshots[0])
@@ -104,14 +58,12 @@ def passage(results):
     else:
         peaks = np.array([_peak(elements_once(snapshot)) for snapshot in snapshots])
         arrival = snapshots[int(np.argmax(peaks >= ONSET * peaks.max()))].time
-        centres = _centres(grid)
-        foot, head = centres.mean(axis=0), centres.mean(axis=0)
-        foot[up], head[up] = centres[:, up].min(), centres[:, up].max()
+        middles = centres(grid)
+        foot, head = middles.mean(axis=0), middles.mean(axis=0)
+        foot[up], head[up] = middles[:, up].min(), middles[:, up].max()
         ends, names = (foot, head), ("the base", "the surface")
     line = np.linspace(*ends, LEVELS)
-    _, nearest = cKDTree(_centres(grid)).query(0.5 * (line[1:] + line[:-1]))
-    times = np.concatenate([[0.0], np.cumsum(np.diff(line[:, up]) / speeds[nearest])])
-    return Passage(arrival, line[:, up], times, names)
+    return Passage(arrival, line[:, up], travel_times(grid, speeds, line), names)
 
 
 def _peak(grid):
@@ -131,7 +83,7 @@ def _chosen(snapshots, way):
     interval = style.quantity(float(np.median(np.diff(times))), "s")
     better = style.quantity(style.round_factor(way.travel / MOST_PANELS), "s")
     return chosen, (f"The snapshots are {interval} apart, and an S wave takes {style.quantity(way.travel, 's')} from {way.names[0]} to {way.names[1]}: they do not hold its\n"
-                    f"front on the way. Shown are those of the largest accelerations; snapshot_interval = {better} would follow it.")
+                    f"front on the way. Shown are those of the largest accelerations; snapshot_interval = {better}, and a history_interval that is no longer, would follow it.")
 
 
 @dataclass(frozen=True)
@@ -146,13 +98,13 @@ class _Face:
 def _face(grid, axis, up):
     """A vertical section along x: the plane itself, or through the middle of a body in space."""
     if int(np.asarray(grid.celltypes)[0]) == VERTEX:
-        places, values = _centres(grid), np.asarray(grid.cell_data["acceleration"])[:, axis]
+        places, values = centres(grid), np.asarray(grid.cell_data["acceleration"])[:, axis]
         if up == 2:
             away = np.abs(places[:, 1] - 0.5 * (places[:, 1].min() + places[:, 1].max()))
             near = away < away.min() + 0.75 * float(np.median(grid.cell_data["spacing"]))
             places, values = places[near], values[near]
         return _Face(places[:, [0, up]], None, values)
-    rest = _at_rest(grid)
+    rest = cells_at_rest(grid)
     if up == 2:
         cut = rest.slice(normal="y").triangulate()
         triangles = np.asarray(cut.faces).reshape(-1, 4)[:, 1:]
@@ -174,7 +126,7 @@ def fronts(results):
     if not chosen:
         return None
     grids = [elements_once(snapshots[number]) for number in chosen]
-    up = 2 if np.ptp(_centres(grids[0])[:, 2]) > 0.0 else 1
+    up = 2 if np.ptp(centres(grids[0])[:, 2]) > 0.0 else 1
     faces = [_face(grid, axis, up) for grid in grids]
     extent = np.ptp(faces[0].places, axis=0)
     draw = _profiles if extent[1] > SLENDER * extent[0] else _fields

@@ -102,7 +102,12 @@ void check_sought(const CheckContext& context, const Study& study) {
                            fmt::format("[{}] is for find = \"{}\"", foreign, factor ? "time_step" : "factor_of_safety"),
                            fmt::format("remove it, or set find in [study]; this study finds \"{}\"",
                                        EnumWords<Sought>::words.at(static_cast<std::size_t>(study.find))));
-  if (factor && !(study.factor.upper > study.factor.ratio * study.factor.lower))
+  if (factor && !(study.factor.upper > study.factor.lower))
+    context.problems.error(context.entries_of("factor").front().place("upper"),
+                           fmt::format("upper must be above lower = {}, found {}", short_number(study.factor.lower),
+                                       short_number(study.factor.upper)),
+                           "give an upper at which the ground fails, above a lower at which it stands");
+  else if (factor && !(study.factor.upper > study.factor.ratio * study.factor.lower))
     context.problems.error(
         context.entries_of("factor").front().place("upper"),
         fmt::format("the bounds {} and {} of the factor are closer than the ratio of {} at which the search ends",

@@ -89,8 +89,8 @@ A row for every two neighbouring gauges that stand above each other, and every h
 | `above` | | name of the upper gauge |
 | `axis` | | x, y or z |
 | `height` | m | of the middle between them |
-| `peak_shear_strain` | - | difference of their displacements over their distance |
-| `peak_shear_stress` | Pa | which moves the ground above the middle: the integral of density times acceleration; with the densities of the first snapshot; `nan` where there is none |
+| `peak_shear_strain` | - | difference of their displacements over their distance; `nan` where they are too far apart for the waves that pass |
+| `peak_shear_stress` | Pa | which moves the ground above the middle: the integral of density times acceleration; with the densities of the first snapshot; `nan` where there is none, or gauges there or above are too far apart |
 )";
 
 /// Written by Python (sazare.structures), whose test compares these names.

@@ -5,18 +5,32 @@ from dataclasses import dataclass
 import numpy as np
 
 from sazare.ground_motion.gauges import AXES, case_of, gauge_motions, moving_axes, stacks, up_axis
+from sazare.s_waves import LEVELS, s_velocities, travel_times
 from sazare.snapshots import elements_once
+
+MOST_APART = 0.8  # two gauges, in radians of the wave that passes both; stress is then off by some 5 %
 
 
 @dataclass(frozen=True, eq=False)
 class ShearHistory:
     """Shear between each gauge of a stack and the next one above it: heights of their middles [m] (k,), time [s] (n,), engineering shear
-    strain [-] (n, k), and shear stress [Pa] (n, k), or None where the density or the ground above the gauges is not known."""
+    strain [-] (n, k), and shear stress [Pa] (n, k), or None where the density or the ground above the gauges is not known. `resolved` (k,) says where
+    two gauges are near enough to each other for the waves that pass."""
 
     height: np.ndarray
     time: np.ndarray
     strain: np.ndarray
     stress: np.ndarray | None = None
+    resolved: np.ndarray | None = None
+
+    def peaks(self):
+        """The largest strains [-] and stresses [Pa] (k,), nan where gauges here or, of stresses, above are too far apart, or the density is not known."""
+        resolved = np.ones(len(self.height), dtype=bool) if self.resolved is None else self.resolved
+        strain = np.where(resolved, np.abs(self.strain).max(axis=0), np.nan)
+        if self.stress is None:
+            return strain, np.full(len(strain), np.nan)
+        above = np.logical_and.accumulate(resolved[::-1])[::-1]
+        return strain, np.where(above, np.abs(self.stress).max(axis=0), np.nan)
 
 
 def places(results, stack):
@@ -40,7 +54,7 @@ def _nearest(start, point):
     return int(np.flatnonzero(distance <= distance.min() * (1.0 + 1e-9) + 1e-9)[0])
 
 
-def shear_history(stack, axis, heights, density=None, above=0.0):
+def shear_history(stack, axis, heights, density=None, above=0.0, travel=None):
     """The ShearHistory of gauges above each other (from below, as `stacks` gives them) along an axis (0 to 2) across the vertical one.
 
     The strain is what the displacement of two gauges differs by, over their distance, hence its mean between them. The stress is what
@@ -51,22 +65,27 @@ def shear_history(stack, axis, heights, density=None, above=0.0):
     with accelerations that are linear between gauges. Both have the sign of the strain: positive where the upper one goes forward.
 
     heights: of the gauges [m] (k + 1,), from below; density: between each gauge and the next one above it [kg/m3] (k,), or one number; above: mass of the ground above the highest gauge per
-    area [kg/m2], which is taken to move as that gauge does.
+    area [kg/m2], which is taken to move as that gauge does; travel: of S waves between each gauge and the next one above it [s] (k,), by which `resolved` is known: their travel time times the
+    central frequency of the motion, the root of the mean squares of accelerations over velocities, is at most MOST_APART.
     """
     heights = np.asarray(heights, dtype=float)
     apart = np.diff(heights)
     moved = np.stack([motion.displacement[:, axis] for motion in stack], axis=1)
     strain = np.diff(moved, axis=1) / apart
     middle, time = 0.5 * (heights[1:] + heights[:-1]), stack[0].time
-    if density is None:
-        return ShearHistory(middle, time, strain)
     pushed = np.stack([motion.acceleration[:, axis] for motion in stack], axis=1)
+    resolved = None
+    if travel is not None:
+        moving = np.stack([motion.velocity[:, axis] for motion in stack], axis=1)
+        resolved = np.asarray(travel) * np.linalg.norm(pushed) <= MOST_APART * np.linalg.norm(moving)
+    if density is None:
+        return ShearHistory(middle, time, strain, None, resolved)
     density = np.broadcast_to(np.asarray(density, dtype=float), apart.shape)
     lower, upper = pushed[:, :-1], pushed[:, 1:]
     whole = density * apart * 0.5 * (lower + upper)
     half = density * 0.5 * apart * (0.25 * lower + 0.75 * upper)  # from the middle upwards
     above_each = np.cumsum(whole[:, ::-1], axis=1)[:, ::-1] - whole + above * pushed[:, -1:]
-    return ShearHistory(middle, time, strain, -(half + above_each))
+    return ShearHistory(middle, time, strain, -(half + above_each), resolved)
 
 
 def ground_of(results, points, up):
@@ -141,7 +160,19 @@ def shear_history_of(results, stack, axis, up):
     points = places(results, stack)
     if not np.all(np.diff(points[:, up]) > 0.0):
         return None
-    return shear_history(stack, axis, points[:, up], *ground_of(results, points, up))
+    return shear_history(stack, axis, points[:, up], *ground_of(results, points, up), travel_of(results, points))
+
+
+def travel_of(results, points):
+    """Travel times of S waves of small strains from each place [m] (k + 1, 3) to the next one [s] (k,); None where the run does not tell."""
+    snapshots = results.all_snapshots
+    if not len(snapshots):
+        return None
+    grid = elements_once(snapshots[0])
+    speeds = s_velocities(results, grid)
+    if speeds is None:
+        return None
+    return np.array([travel_times(grid, speeds, np.linspace(low, high, LEVELS))[-1] for low, high in zip(points, points[1:])])
 
 
 def profile_table(results):
@@ -159,8 +190,7 @@ def _rows(results, stack, axis, up):
     history = shear_history_of(results, stack, axis, up)
     if history is None:
         return
-    strain = np.abs(history.strain).max(axis=0)
-    stress = np.full(len(strain), np.nan) if history.stress is None else np.abs(history.stress).max(axis=0)
+    strain, stress = history.peaks()
     for k, height in enumerate(history.height):
         yield {
             "below": stack[k].name, "above": stack[k + 1].name, "axis": AXES[axis], "height [m]": height,

@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "sazare/cases/format/number_text.hpp"
+#include "sazare/core/error.hpp"
 #include "sazare/observe/csv_writer.hpp"
 #include "sazare/runs/strength_reduction.hpp"
 
@@ -59,10 +60,19 @@ public:
 private:
   bool is_stopped() const { return options_.stop_asked != nullptr && options_.stop_asked->load(std::memory_order_relaxed); }
 
+  /// A case that is sound may not be with another strength.
+  StrengthTrial trial_of(Real factor) {
+    try {
+      return ground_->try_out({.factor = factor, .most_displacement = most_displacement_, .stop_asked = options_.stop_asked});
+    } catch (const UserError& refused) {
+      throw UserError(fmt::format("{}\n  found in {}, with its strength divided by {}", refused.what(), name_of_case(),
+                                  short_number(factor)));
+    }
+  }
+
   StrengthTrial try_out(Real factor) {
     const auto began = Clock::now();
-    const StrengthTrial trial =
-        ground_->try_out({.factor = factor, .most_displacement = most_displacement_, .stop_asked = options_.stop_asked});
+    const StrengthTrial trial = trial_of(factor);
     if (is_stopped()) return trial;
     trials_.push_back({static_cast<std::int64_t>(trials_.size() + 1), factor, std::int64_t{trial.stands}, trial.displacement,
                        std::chrono::duration<Real>(Clock::now() - began).count(), trial.end});
