@@ -47,14 +47,23 @@ public:
   bool visit_ring(const Vector2& around, std::int64_t ring, Visit&& visit) const {
     const auto [x, y] = place(around);
     bool any = false;
-    for (std::int64_t j = y - ring; j <= y + ring; ++j) {
-      if (j < 0 || j >= size_[1]) continue;
-      const bool whole = j == y - ring || j == y + ring;
-      for (std::int64_t i = x - ring; i <= x + ring; i += whole || ring == 0 ? 1 : 2 * ring) {
-        if (i < 0 || i >= size_[0]) continue;
-        any = true;
-        for (const Index number : buckets_[static_cast<std::size_t>(j * size_[0] + i)]) visit(number);
+    const auto visit_square = [&](std::int64_t i, std::int64_t j) {
+      any = true;
+      for (const Index number : buckets_[static_cast<std::size_t>(j * size_[0] + i)]) visit(number);
+    };
+    const std::int64_t left = x - ring, right = x + ring, last = std::min(size_[1] - 1, y + ring);
+    const bool has_left = left >= 0, has_right = right < size_[0];
+    for (std::int64_t j = std::max<std::int64_t>(0, y - ring); j <= last; ++j) {
+      if (j == y - ring || j == y + ring) {
+        for (std::int64_t i = std::max<std::int64_t>(0, left); i <= std::min(size_[0] - 1, right); ++i) visit_square(i, j);
+        continue;
       }
+      if (!has_left && !has_right) {  // a grid may be narrow and very long
+        j = y + ring - 1;
+        continue;
+      }
+      if (has_left) visit_square(left, j);
+      if (has_right) visit_square(right, j);
     }
     return any;
   }

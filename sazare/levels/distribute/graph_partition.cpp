@@ -1,6 +1,7 @@
 /// The only source that knows METIS.
 
 #include "sazare/core/error.hpp"
+#include "sazare/core/saturated.hpp"
 #include "sazare/levels/distribute/partition.hpp"
 
 #if defined(SAZARE_METIS)
@@ -75,7 +76,7 @@ struct Graph {
     const auto add = [&](Index from, Index to, Real times) {
       const auto place = static_cast<std::size_t>(next[at(from)]++);
       neighbor[place] = to;
-      weight[place] = std::max<idx_t>(1, static_cast<idx_t>(largest_sum * times / total));
+      weight[place] = std::max<idx_t>(1, saturated<idx_t>(largest_sum * times / total));
     };
     for (const ChunkBorder& border : borders) {
       add(border.first, border.second, border.times);

@@ -94,6 +94,20 @@ TEST_F(packing_of_a_triangle, nuclei_are_the_same_for_the_same_seed_and_stand_ap
 
 /// The facets' directions, weighed by length times distance: no direction is preferred if the means of cos and sin of twice and
 /// four times the angle vanish.
+TEST(voronoi, cells_fill_a_strip_of_any_length) {
+  const std::vector<Vector2> nuclei{{0.2, 0.3}, {0.7, 0.2}, {0.5, 0.8}};
+  for (const bool upright : {true, false}) {
+    constexpr Real length = 2147483648;
+    std::vector<Vector2> turned = nuclei;
+    if (!upright)
+      for (Vector2& nucleus : turned) std::swap(nucleus.x(), nucleus.y());
+    Real area = 0;
+    for (const VoronoiCell& cell : voronoi_cells(turned, upright ? rectangle(1, length) : rectangle(length, 1)))
+      area += measure(cell.corners).area;
+    EXPECT_NEAR(area, length, 1e-6 * length);
+  }
+}
+
 TEST(voronoi, scattered_nuclei_prefer_no_direction) {
   const auto outline = rectangle(60, 60);
   const auto nuclei = scatter_nuclei(outline, 1, 1);
