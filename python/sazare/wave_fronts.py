@@ -7,8 +7,8 @@ import numpy as np
 from sazare import style
 from sazare.ground_motion.gauges import AXES, case_of, gauge_motions, input_axes, stacks, up_axis
 from sazare.outside import outside_of
+from sazare.s_waves import LEVELS, VERTEX, cells_at_rest, centres, s_velocities, travel_times
 from sazare.shaking import main_axis
-from sazare.s_waves import VERTEX, LEVELS, cells_at_rest, centres, s_velocities, travel_times
 from sazare.snapshots import elements_once
 
 ONSET = 0.05  # of the peak acceleration, from which on a wave counts as arrived
