@@ -100,6 +100,7 @@ class Tried:
         """Sanitizers watch the program. What they keep account of takes time, and addresses without a limit."""
         self.watched = True
         self.time *= 10
+        os.environ["LSAN_OPTIONS"] = f"suppressions={ROOT}/scripts/sanitize.leaks:print_suppressions=0:{os.environ.get('LSAN_OPTIONS', '')}"
         os.environ["ASAN_OPTIONS"] = f"max_allocation_size_mb=6000:detect_leaks=1:{os.environ.get('ASAN_OPTIONS', '')}"
 
 
