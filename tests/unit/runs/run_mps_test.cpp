@@ -159,6 +159,8 @@ TEST(run_mps, tells_of_softening_and_refuses_what_its_particles_do_not_resolve) 
   const std::string fine = softening_words("0.5", never + slow);
   EXPECT_TRUE(has(fine, "cohesion falls to 4000 Pa, at first over a slip of 0.1 m across a band")) << fine;
   EXPECT_TRUE(has(fine, "ground: to a plastic shear strain of 0.0157, in a band 6.35 m wide; spacing at most 4.13 m")) << fine;
+  EXPECT_TRUE(has(fine, "would be 6.35 m wide, in ground 16 m high: it has hardly room to soften")) << fine;
+  EXPECT_FALSE(has(softening_words("0.5", never + "softening_displacement = 0.02\n"), "hardly room"));
   const std::string coarse = softening_words("0.5", never + fast);
   EXPECT_TRUE(has(coarse, "particles of 0.5 m do not resolve the softening of \"ground\" over 0.002 m")) << coarse;
   EXPECT_TRUE(has(coarse, "a spacing of 0.0827 m or less would do, or a softening_displacement of 0.0121 m or more")) << coarse;

@@ -90,6 +90,29 @@ void check_limit(const cases::CaseFile& file, Real limit) {
            "one of density, wave velocities, damping and spacing is too large or too small to be meant so: check their units");
 }
 
+/// Warns of ground in which a shear band that softens has no room: its strength falls far too slowly then.
+template <int D>
+std::string warn_of_wide_bands(const cases::CaseFile& file, const MpsParts<D>& parts) {
+  constexpr Real share_of_height = 0.25;
+  const auto [low, high] =
+      std::ranges::minmax_element(parts.filling.sites, {}, [](const methods::mps::Site<D>& site) { return site[D - 1]; });
+  if (low == parts.filling.sites.end()) return {};
+  const Real spacing = parts.particles.spacing, height = spacing * ((*high)[D - 1] - (*low)[D - 1] + 1);
+  const auto& materials = file.as<cases::MpsCase>().materials;
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    if (!materials[i].softens()) continue;
+    const Real width = band_of<D>(materials[i], parts.links).width();
+    if (width <= share_of_height * height) continue;
+    const Real narrower = share_of_height * height / width;  // the width goes by the spacing to 2/3
+    return warning(file, fmt::format("materials.{}.softening_displacement", i),
+                   fmt::format("a shear band of \"{}\" would be {} m wide, in ground {} m high: it has hardly room to soften",
+                               materials[i].name, cases::short_number(width, 3), cases::short_number(height, 3)),
+                   fmt::format("with a spacing of {} m it would be a quarter as wide as the ground is high",
+                               cases::short_number(spacing * narrower * std::sqrt(narrower), 2)));
+  }
+  return {};
+}
+
 /// Refuses softening that the particles do not resolve, and ground that breaks before it has softened.
 template <int D>
 void check_softening(const cases::CaseFile& file, const MpsParts<D>& parts) {
@@ -257,7 +280,7 @@ MpsModel<D> build_mps(const cases::CaseFile& file, const std::optional<MpsCoupli
   model.material = parts.material;
   model.sides = parts.sides;
   model.step = choose_step<D>(file, model, coupling);
-  model.warning = check_step<D>(file, model) + warn_of_coarse_slopes<D>(file, parts.filling);
+  model.warning = check_step<D>(file, model) + warn_of_coarse_slopes<D>(file, parts.filling) + warn_of_wide_bands<D>(file, parts);
   if (!coupling) model.warning += warn_of_loose_parts<D>(file, parts);  // else the surface may hold them
   std::unique_ptr<particles::ParticleForces<D>> forces = parts.forces(mps, model.step);
   model.failing = dynamic_cast<const methods::mps::FailingForces<D>*>(forces.get());
