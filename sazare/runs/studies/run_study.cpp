@@ -102,7 +102,12 @@ public:
     observe::write_file(identity_file_, identity_of(study_));
     write_manifest("running");
     already_ = rows_.size();
-    parallel::run_tasks(open.size(), options_.threads, [&](std::size_t i) { solve(open[i]); });
+    try {
+      parallel::run_tasks(open.size(), options_.threads, [&](std::size_t i) { solve(open[i]); });
+    } catch (...) {  // what is found stays, and the manifest counts it
+      write_manifest("stopped");
+      throw;
+    }
     const bool done = rows_.size() == study_.size();
     write_table();
     if (done) search_->write_tables(rows());
@@ -165,7 +170,16 @@ private:
                   fmt::format("it can in those of: {}", able));
   }
 
-  cases::CaseFile read(std::size_t number) const { return methods_.read(study_.family(number).file, study_.overrides(number)); }
+  cases::CaseFile read(std::size_t number) const {
+    const std::vector<std::string> settings = study_.overrides(number);
+    try {
+      return methods_.read(study_.family(number).file, settings);
+    } catch (const UserError& refused) {
+      if (settings.empty()) throw;
+      throw UserError(fmt::format("{}\n  found in case {} of {}, whose [[parameters]] are set as by --set", refused.what(),
+                                  number, study_.path.string()));
+    }
+  }
 
   /// All errors of all cases before anything is run.
   void check_cases(const std::vector<std::size_t>& open) const {
