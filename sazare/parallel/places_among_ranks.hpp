@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <numeric>
 #include <span>
 #include <type_traits>
@@ -14,24 +13,12 @@
 
 #include "sazare/core/time.hpp"
 #include "sazare/parallel/give.hpp"
+#include "sazare/parallel/plain_records.hpp"
 #include "sazare/parallel/ranks.hpp"
 
 namespace sazare::parallel {
 
 namespace sorting {
-
-template <class Record>
-std::vector<std::byte> packed(std::span<const Record> records) {
-  const auto bytes = std::as_bytes(records);
-  return {bytes.begin(), bytes.end()};
-}
-
-template <class Record>
-std::vector<Record> unpacked(std::span<const std::byte> bytes) {
-  std::vector<Record> records(bytes.size() / sizeof(Record));
-  if (!records.empty()) std::memcpy(static_cast<void*>(records.data()), bytes.data(), bytes.size());
-  return records;
-}
 
 /// Keys that cut all into a range for each rank, about as large: the first key of each range but the first one.
 template <class Key>
@@ -39,7 +26,7 @@ std::vector<Key> cuts_of(const Ranks& ranks, const std::vector<Key>& sorted, Top
   constexpr std::size_t samples = 64;  // of each rank
   std::vector<Key> own;
   for (std::size_t n = 0; n < samples && !sorted.empty(); ++n) own.push_back(sorted[sorted.size() * (2 * n + 1) / (2 * samples)]);
-  std::vector<Key> all = unpacked<Key>(ranks.gather(packed(std::span<const Key>(own)), topic).bytes);
+  std::vector<Key> all = records_in<Key>(ranks.gather(bytes_of(own), topic).bytes);
   std::ranges::sort(all);
   std::vector<Key> cuts;
   const auto parts = static_cast<std::size_t>(ranks.size());
@@ -65,7 +52,7 @@ std::vector<Index> places_among_ranks(const Ranks& ranks, const std::vector<Key>
   auto begin = sorted.begin();
   for (std::size_t rank = 0; rank < static_cast<std::size_t>(ranks.size()); ++rank) {
     const auto end = rank < cuts.size() ? std::lower_bound(begin, sorted.end(), cuts[rank]) : sorted.end();
-    to_each.push_back(sorting::packed(std::span<const Key>(begin, end)));
+    to_each.push_back(bytes_of(std::span<const Key>(begin, end)));
     begin = end;
   }
 
@@ -76,21 +63,21 @@ std::vector<Index> places_among_ranks(const Ranks& ranks, const std::vector<Key>
   std::vector<Arrived> arrived;
   const auto given = give(ranks, std::move(to_each), topic);
   for (std::size_t rank = 0; rank < given.size(); ++rank)
-    for (const Key& key : sorting::unpacked<Key>(given[rank])) arrived.push_back({key, rank});
+    for (const Key& key : records_in<Key>(given[rank])) arrived.push_back({key, rank});
   std::ranges::sort(arrived, {}, &Arrived::key);  // of one rank they stay in their order
 
   const auto count = static_cast<std::uint64_t>(arrived.size());
-  const auto counts = sorting::unpacked<std::uint64_t>(ranks.gather(std::as_bytes(std::span(&count, 1)), topic).bytes);
+  const auto counts = records_in<std::uint64_t>(ranks.gather(std::as_bytes(std::span(&count, 1)), topic).bytes);
   auto place = static_cast<Index>(std::accumulate(counts.begin(), counts.begin() + ranks.rank(), std::uint64_t{0}));
   std::vector<std::vector<Index>> answers(given.size());
   for (const Arrived& one : arrived) answers[one.rank].push_back(place++);
   std::vector<std::vector<std::byte>> back;
-  for (const auto& answer : answers) back.push_back(sorting::packed(std::span<const Index>(answer)));
+  for (const auto& answer : answers) back.push_back(bytes_of(answer));
 
   std::vector<Index> places(own.size());
   std::size_t next = 0;
   for (const auto& answer : give(ranks, std::move(back), topic))
-    for (const Index at : sorting::unpacked<Index>(answer)) places[order[next++]] = at;
+    for (const Index at : records_in<Index>(answer)) places[order[next++]] = at;
   return places;
 }
 

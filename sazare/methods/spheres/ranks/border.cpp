@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sazare/parallel/give.hpp"
+#include "sazare/parallel/plain_records.hpp"
 #include "sazare/parallel/threads.hpp"
 
 namespace sazare::methods::spheres {
@@ -48,14 +49,10 @@ void Border::complete(const TileOwners& owners, std::vector<std::vector<Index>>&
       if (const int owner = owners.owner_of_sphere(ghost); owner != ranks_->rank())
         to_each[static_cast<std::size_t>(owner)].push_back({static_cast<Index>(tile), ghost});
   std::vector<std::vector<std::byte>> bytes;
-  for (const Looks& looks : to_each) {
-    const auto packed = std::as_bytes(std::span(looks));
-    bytes.emplace_back(packed.begin(), packed.end());
-  }
+  for (const Looks& looks : to_each) bytes.push_back(parallel::bytes_of(looks));
   for (const auto& arrived : parallel::give(*ranks_, std::move(bytes), parallel::Topic::search)) {
-    Looks looks(arrived.size() / sizeof(Look));
-    if (!looks.empty()) std::memcpy(looks.data(), arrived.data(), arrived.size());
-    for (const Look& look : looks) ghosts[static_cast<std::size_t>(look.tile)].push_back(look.sphere);
+    for (const Look& look : parallel::records_in<Look>(arrived))
+      ghosts[static_cast<std::size_t>(look.tile)].push_back(look.sphere);
   }
 }
 
@@ -64,8 +61,7 @@ void Border::tell_of_ghosts(std::vector<Index>& by_place) const {
   for (std::size_t rank = 0; rank < ours_.size(); ++rank) {
     std::vector<Index> values;
     for (const Index sphere : ours_[rank].spheres) values.push_back(by_place[static_cast<std::size_t>(sphere)]);
-    const auto packed = std::as_bytes(std::span(values));
-    to_each[rank].assign(packed.begin(), packed.end());
+    to_each[rank] = parallel::bytes_of(values);
   }
   const auto arrived = parallel::give(*ranks_, std::move(to_each), parallel::Topic::search);
   for (std::size_t rank = 0; rank < theirs_.size(); ++rank) {

@@ -113,11 +113,17 @@ std::vector<std::int8_t> RankSearch::active_levels() const {
   if (level_.empty()) return {};
   know_nearby();
   const std::vector<Index> known = ranks_->known();
+  const std::vector<std::int8_t> level = levels_of(known);
+  const neighbors::SpherePairs all = neighbors::find_pairs(*spheres_, margin_, {}, {sizes_, known});
+  return neighbors::active_levels_of(all, {level, finest_});
+}
+
+/// By place, of known spheres.
+std::vector<std::int8_t> RankSearch::levels_of(const std::vector<Index>& known) const {
   std::vector<std::int8_t> level(spheres_->size(), 0);
   for (const Index i : known)
     level[static_cast<std::size_t>(i)] = level_[static_cast<std::size_t>(spheres_->number[static_cast<std::size_t>(i)])];
-  const neighbors::SpherePairs all = neighbors::find_pairs(*spheres_, margin_, {}, {sizes_, known});
-  return neighbors::active_levels_of(all, {level, finest_});
+  return level;
 }
 
 void RankSearch::know_nearby() const {
@@ -151,10 +157,7 @@ std::vector<neighbors::SpherePairs> RankSearch::pairs() const {
   std::vector<neighbors::SpherePairs> pairs;
   pairs.push_back(neighbors::find_pairs(*spheres_, margin_, ranks_->owners().is_own(), {sizes_, known}));
   if (level_.empty()) return pairs;
-  std::vector<std::int8_t> level(spheres_->size(), 0);
-  for (const Index i : known)
-    level[static_cast<std::size_t>(i)] = level_[static_cast<std::size_t>(spheres_->number[static_cast<std::size_t>(i)])];
-  return neighbors::split_by_level(pairs.front(), level, of_level_);
+  return neighbors::split_by_level(pairs.front(), levels_of(known), of_level_);
 }
 
 }  // namespace sazare::methods::spheres

@@ -28,6 +28,7 @@ public:
 private:
   void know_nearby() const;
   std::vector<std::int8_t> active_levels() const;
+  std::vector<std::int8_t> levels_of(const std::vector<Index>& known) const;
   std::size_t finest() const { return static_cast<std::size_t>(finest_); }
 
   RankTiles* ranks_;

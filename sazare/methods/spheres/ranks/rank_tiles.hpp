@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <functional>
 #include <span>
 #include <utility>
@@ -16,6 +15,7 @@
 #include "sazare/methods/spheres/ranks/tile_owners.hpp"
 #include "sazare/methods/spheres/stepper/tile_shares.hpp"
 #include "sazare/parallel/give.hpp"
+#include "sazare/parallel/plain_records.hpp"
 
 namespace sazare::methods::spheres {
 
@@ -61,9 +61,7 @@ public:
   std::vector<Record> from_all(const Record& own, parallel::Topic topic, parallel::To to = parallel::To::all) const {
     const parallel::Gathered all = ranks_->gather(std::as_bytes(std::span(&own, 1)), topic, to);
     if (to == parallel::To::first && !ranks_->is_first()) return {own};
-    std::vector<Record> records(all.bytes.size() / sizeof(Record), own);
-    std::memcpy(static_cast<void*>(records.data()), all.bytes.data(), all.bytes.size());
-    return records;
+    return parallel::records_in<Record>(all.bytes);
   }
   /// The sum of what all ranks have added up without rounding. All call it.
   template <class Sums>
@@ -80,12 +78,8 @@ public:
   template <class Record>
   std::vector<std::vector<Record>> by_rank(const std::vector<Record>& own, parallel::Topic topic) const {
     const parallel::Gathered all = ranks_->gather(std::as_bytes(std::span(own)), topic);
-    std::vector<std::vector<Record>> records(static_cast<std::size_t>(ranks_->size()));
-    for (std::size_t rank = 0; rank < records.size(); ++rank) {
-      const std::span<const std::byte> bytes = all.of(static_cast<int>(rank));
-      records[rank].resize(bytes.size() / sizeof(Record));
-      if (!bytes.empty()) std::memcpy(static_cast<void*>(records[rank].data()), bytes.data(), bytes.size());
-    }
+    std::vector<std::vector<Record>> records;
+    for (int rank = 0; rank < ranks_->size(); ++rank) records.push_back(parallel::records_in<Record>(all.of(rank)));
     return records;
   }
   /// One after the other.
