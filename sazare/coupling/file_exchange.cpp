@@ -132,7 +132,7 @@ void FileExchange::remove_before(std::int64_t sequence) {
 }
 
 void FileExchange::wait(Patience& patience) const {
-  if (options_.stop_asked != nullptr && options_.stop_asked->load(std::memory_order_relaxed)) throw Stopped(false, -1);
+  if (options_.stop.is_made()) throw Stopped(false, -1);
   patience.sleep();
 }
 

@@ -3,9 +3,9 @@
 /// One side of a coupling that exchanges files with a partner in another program, both in one folder: who is there, what is sent
 /// and awaited, and how a run goes on that was stopped. docs/reference/coupling-files.md is the protocol.
 
-#include <atomic>
 #include <exception>
 
+#include "sazare/core/stop_request.hpp"
 #include "sazare/coupling/patience.hpp"
 #include "sazare/coupling/seat.hpp"
 
@@ -23,7 +23,7 @@ struct ExchangeOptions {
   ExchangeMark mark = {};         ///< of a run that is resumed; else a new one begins
   bool keeps_checkpoints = true;  ///< whether this side can be resumed: its partner's messages are then kept for it
   Real time_out = 600;            ///< wall-clock time without a message [s]
-  const std::atomic<bool>* stop_asked = nullptr;
+  StopRequest stop = {};
 };
 
 /// Not an error: this side was asked to stop while it waited, or the partner was and said so.

@@ -90,7 +90,7 @@ private:
   static constexpr auto flush_interval = std::chrono::seconds(2);
 
   bool writes() const { return is_writer(options_); }
-  bool must_stop() const { return options_.stop_asked != nullptr && options_.stop_asked->load(std::memory_order_relaxed); }
+  bool must_stop() const { return options_.stop.is_made(); }
   bool agree(bool by_first) const {
     return options_.sharing.ranks == nullptr ? by_first : options_.sharing.ranks->from_first(by_first) != 0;
   }

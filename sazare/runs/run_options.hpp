@@ -2,10 +2,10 @@
 
 /// How a case is to be carried out, and what comes of it: the same for every method.
 
-#include <atomic>
 #include <filesystem>
 #include <optional>
 
+#include "sazare/core/stop_request.hpp"
 #include "sazare/coupling/message.hpp"
 #include "sazare/levels/simulation.hpp"
 #include "sazare/observe/manifest.hpp"
@@ -24,7 +24,7 @@ struct RunOptions {
   std::filesystem::path folder;
   Begin begin = Begin::fresh;
   bool quiet = false;                             ///< no progress, no words about the beginning
-  const std::atomic<bool>* stop_asked = nullptr;  ///< looked at after every base step
+  StopRequest stop = {};                          ///< looked at after every base step
   levels::Sharing sharing = {};                   ///< with several processes: all carry out the same, the first one writes
   std::optional<OneSide> one_side = {};           ///< of a hybrid case; else both in this program
   bool warns = true;                              ///< of what is unusual in the case

@@ -2,13 +2,13 @@
 
 /// The strength of the ground of a case divided by a factor, as studies that look for its factor of safety ask for it.
 
-#include <atomic>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "sazare/core/stop_request.hpp"
 #include "sazare/core/vector.hpp"
 
 namespace sazare::runs {
@@ -16,7 +16,7 @@ namespace sazare::runs {
 struct StrengthTrialRules {
   std::optional<Real> factor;  ///< by which strengths are divided; none: the ground is elastic and bears whatever it must
   Real most_displacement = std::numeric_limits<Real>::infinity();  ///< with more the ground runs away [m]
-  const std::atomic<bool>* stop_asked = nullptr;                   ///< a trial ends when it is set, and then says nothing
+  StopRequest stop = {};                                           ///< a trial ends when it is set, and then says nothing
 };
 
 /// How the ground fares under gravity.

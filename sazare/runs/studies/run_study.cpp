@@ -190,7 +190,7 @@ private:
   }
 
   void solve(std::size_t number) {
-    if (options_.stop_asked != nullptr && options_.stop_asked->load(std::memory_order_relaxed)) return;
+    if (options_.stop.is_made()) return;
     const auto began = Clock::now();
     const cases::CaseFile file = read(number);
     std::vector<Real> found = search_->find(method_of(number, file), file, number);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <span>
@@ -8,6 +7,7 @@
 
 #include "sazare/cases/case_file.hpp"
 #include "sazare/cases/study_file.hpp"
+#include "sazare/core/stop_request.hpp"
 #include "sazare/runs/method.hpp"
 #include "sazare/runs/run_folder.hpp"
 
@@ -18,7 +18,7 @@ struct StudyOptions {
   Begin begin = Begin::fresh;
   bool quiet = false;
   int threads = 1;                                ///< cases at a time
-  const std::atomic<bool>* stop_asked = nullptr;  ///< looked at before every case, and in long ones
+  StopRequest stop = {};                          ///< looked at before every case, and in long ones
 };
 
 struct StudyOutcome {

@@ -261,7 +261,7 @@ TEST(relax, ends_when_it_is_asked_to_stop) {
   auto model = runs::build_blocks(blocks, box({1, 1, 4}));
   const std::atomic<bool> stop = true;
   runs::RunOptions options = quiet();
-  options.stop_asked = &stop;
+  options.stop = &stop;
   EXPECT_FALSE(runs::relax(blocks, model, options));
   EXPECT_TRUE(model.equilibrium.empty());
 }

@@ -235,7 +235,7 @@ TEST(file_exchange, stop_while_waiting) {
   const TemporaryFolder folder;
   std::atomic<bool> stop{false};
   ExchangeOptions options = options_of(folder, Side::continuum);
-  options.stop_asked = &stop;
+  options.stop = &stop;
   FileExchange exchange(options);
   auto met = std::async(std::launch::async, [&] { exchange.meet(); });
   std::this_thread::sleep_for(std::chrono::milliseconds(20));

@@ -1,9 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <chrono>
-#include <thread>
-
 #include "sazare/core/error.hpp"
 #include "sazare/registry/registry.hpp"
 #include "tests/unit/runs/support.hpp"
@@ -29,24 +25,9 @@ std::vector<std::string> inclined(std::vector<std::string> more = {}) {
 
 void expect_same_bits_in_parts(const std::vector<std::string>& settings) {
   const TemporaryFolder folder;
-  registry::run_case(slope(settings), {folder / "whole", Begin::fresh, true, nullptr});
-  int parts = 1;
-  for (;; ++parts) {
-    std::atomic<bool> stop = false;
-    std::jthread alarm([&](const std::stop_token& over) {
-      const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(150 * parts);
-      while (!over.stop_requested() && std::chrono::steady_clock::now() < end)
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      stop = true;
-    });
-    if (!registry::run_case(slope(settings), {folder / "parts", Begin::resume, true, &stop}).stopped) break;
-  }
-  EXPECT_GT(parts, 1);
-  const nlohmann::json one = read_manifest(folder / "whole"), many = read_manifest(folder / "parts");
-  EXPECT_EQ(one["state_hash"], many["state_hash"]);
-  EXPECT_EQ(test::without_last_column(read_text(folder / "whole/history.csv")),
-            test::without_last_column(read_text(folder / "parts/history.csv")));
-  EXPECT_GT(one["results"]["energy_plastic"].get<double>(), 0);
+  test::run_in_parts(slope(settings), folder / "parts", test::run_whole(slope(settings), folder / "whole"));
+  test::expect_same_runs(folder / "whole", folder / "parts");
+  EXPECT_GT(read_manifest(folder / "whole")["results"]["energy_plastic"].get<double>(), 0);
 }
 
 TEST(free_field_run, in_parts_gives_the_bits_of_one_run) { expect_same_bits_in_parts({}); }

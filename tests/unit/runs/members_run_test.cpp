@@ -1,10 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <chrono>
 #include <fstream>
 #include <sstream>
-#include <thread>
 
 #include "sazare/core/error.hpp"
 #include "sazare/registry/registry.hpp"
@@ -153,20 +150,9 @@ TEST(members_run, goes_on_from_a_checkpoint_with_the_same_bits) {
   std::vector<std::string> settings = weak;
   settings.insert(settings.end(), {"time.analysis=dynamic", "time.step=0.01", "time.end=0.4"});
   const auto file = folder.read(settings);
-  registry::run_case(file, {folder / "whole", Begin::fresh, true, nullptr});
-  int count = 1;
-  for (;; ++count) {
-    std::atomic<bool> stop = false;
-    std::jthread alarm([&] {
-      std::this_thread::sleep_for(std::chrono::milliseconds(5 + 5 * count));
-      stop = true;
-    });
-    const auto begin = count == 1 ? Begin::fresh : Begin::resume;
-    if (!registry::run_case(file, {folder / "parts", begin, true, &stop}).stopped) break;
-  }
-  EXPECT_GT(count, 1);
+  test::run_in_parts(file, folder / "parts", test::run_whole(file, folder / "whole"));
+  test::expect_same_runs(folder / "whole", folder / "parts");
   const auto whole = test::read_manifest(folder / "whole"), parts = test::read_manifest(folder / "parts");
-  EXPECT_EQ(whole["state_hash"], parts["state_hash"]);
   EXPECT_GT(whole["results"]["energy_members"].get<Real>(), 0);
   EXPECT_EQ(whole["results"]["yield_time_piles"], parts["results"]["yield_time_piles"]);
 }

@@ -2,10 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <chrono>
-#include <thread>
-
 #include "sazare/core/error.hpp"
 #include "sazare/parallel/threads.hpp"
 #include "tests/unit/runs/support.hpp"
@@ -38,25 +34,11 @@ TEST(mps_free_field, gives_the_bits_of_one_run_in_parts_and_on_threads) {
   Settings settings = settles;
   settings.insert(settings.end(), {"materials.1.cohesion=3e3", "materials.1.friction_angle=20", "time.end=1", "time.step=5e-4"});
   parallel::set_threads(1);
-  registry::run_case(ground(settings), {folder / "whole", Begin::fresh, true, nullptr});
+  const std::int64_t asked = test::run_whole(ground(settings), folder / "whole");
   parallel::set_threads(2);
-  int parts = 1;
-  for (;; ++parts) {
-    std::atomic<bool> stop = false;
-    std::jthread alarm([&](const std::stop_token& over) {
-      const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(150 * parts);
-      while (!over.stop_requested() && std::chrono::steady_clock::now() < end)
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      stop = true;
-    });
-    if (!registry::run_case(ground(settings), {folder / "parts", Begin::resume, true, &stop}).stopped) break;
-  }
-  EXPECT_GT(parts, 1);
-  const nlohmann::json one = read_manifest(folder / "whole"), many = read_manifest(folder / "parts");
-  EXPECT_EQ(one["state_hash"], many["state_hash"]);
-  EXPECT_EQ(test::without_last_column(read_text(folder / "whole/history.csv")),
-            test::without_last_column(read_text(folder / "parts/history.csv")));
-  EXPECT_GT(one["results"]["energy_plastic"].get<double>(), 0);
+  test::run_in_parts(ground(settings), folder / "parts", asked);
+  test::expect_same_runs(folder / "whole", folder / "parts");
+  EXPECT_GT(read_manifest(folder / "whole")["results"]["energy_plastic"].get<double>(), 0);
 }
 
 /// A slope that is shaken to pieces: what has broken beside a side and has left its place is no longer pushed on by the ground

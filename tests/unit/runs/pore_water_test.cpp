@@ -1,12 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
-#include <thread>
 
 #include "sazare/core/error.hpp"
 #include "sazare/registry/registry.hpp"
@@ -158,20 +155,10 @@ TEST(pore_water, goes_on_from_a_checkpoint_bit_for_bit) {
   for (const std::string analysis : {"static", "dynamic"}) {
     const SandCase sand;
     const std::vector<std::string> settings = {"time.analysis=" + analysis, "time.step=5e-4"};
-    const auto whole = sand.run(settings, "whole");
     const auto file = sand.read(settings);
-    int parts = 1;
-    for (;; ++parts) {
-      std::atomic<bool> stop = false;
-      std::jthread alarm([&] {
-        std::this_thread::sleep_for(std::chrono::milliseconds(10 + 5 * parts));
-        stop = true;
-      });
-      if (!run_quietly(file, sand / "parts", parts == 1 ? Begin::fresh : Begin::resume, &stop).stopped) break;
-    }
-    EXPECT_GT(parts, 1);
-    EXPECT_EQ(read_manifest(sand / "parts")["state_hash"], whole["state_hash"]) << analysis;
-    EXPECT_EQ(without_last_column(read_text(sand / "parts/history.csv")), without_last_column(read_text(sand / "whole/history.csv")));
+    test::run_in_parts(file, sand / "parts", test::run_whole(file, sand / "whole"));
+    SCOPED_TRACE(analysis);
+    test::expect_same_runs(sand / "whole", sand / "parts");
   }
 }
 

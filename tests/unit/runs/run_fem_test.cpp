@@ -1,9 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <chrono>
 #include <fstream>
-#include <thread>
 
 #include "sazare/core/error.hpp"
 #include "sazare/parallel/threads.hpp"
@@ -14,7 +11,7 @@ namespace sazare::runs {
 namespace {
 
 namespace fs = std::filesystem;
-using test::read_manifest, test::read_text, test::TemporaryFolder, test::words_of;
+using test::read_manifest, test::read_text, test::run_quietly, test::TemporaryFolder, test::words_of;
 
 cases::CaseFile beam(std::vector<std::string> settings = {}) {
   settings.insert(settings.begin(), {"time.end=0.06", "mesh.parameters={along=6}"});
@@ -26,11 +23,6 @@ cases::CaseFile weak_beam() { return beam({"materials.0.cohesion=2e6", "material
 
 /// A beam of soil that degrades with strain.
 cases::CaseFile soft_beam() { return beam({"materials.0.backbone=hyperbolic", "materials.0.reference_strain=2e-4"}); }
-
-RunOutcome run_quietly(const cases::CaseFile& file, const fs::path& folder, Begin begin = Begin::fresh,
-                       const std::atomic<bool>* stop = nullptr) {
-  return registry::run_case(file, {folder, begin, true, stop});
-}
 
 TEST(run_fem, writes_its_folder_and_its_figures) {
   const TemporaryFolder folder;
@@ -48,25 +40,10 @@ TEST(run_fem, writes_its_folder_and_its_figures) {
 
 void check_parts(const cases::CaseFile& file) {
   const TemporaryFolder folder;
-  run_quietly(file, folder / "whole");
-  int parts = 1;
-  for (;; ++parts) {
-    std::atomic<bool> stop = false;
-    std::jthread alarm([&](const std::stop_token& over) {
-      const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(20 * parts);
-      while (!over.stop_requested() && std::chrono::steady_clock::now() < end)
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      stop = true;
-    });
-    if (!run_quietly(file, folder / "parts", Begin::resume, &stop).stopped) break;
-  }
-  EXPECT_GT(parts, 1);
-  const nlohmann::json one = read_manifest(folder / "whole"), many = read_manifest(folder / "parts");
-  EXPECT_GT(one["results"]["energy_plastic"].get<double>(), 0);
-  EXPECT_EQ(one["state_hash"], many["state_hash"]);
+  test::run_in_parts(file, folder / "parts", test::run_whole(file, folder / "whole"));
+  test::expect_same_runs(folder / "whole", folder / "parts");
+  EXPECT_GT(read_manifest(folder / "whole")["results"]["energy_plastic"].get<double>(), 0);
   EXPECT_EQ(read_text(folder / "whole/gauges.csv"), read_text(folder / "parts/gauges.csv"));
-  EXPECT_EQ(test::without_last_column(read_text(folder / "whole/history.csv")),
-            test::without_last_column(read_text(folder / "parts/history.csv")));
 }
 
 TEST(run_fem, in_many_parts_gives_the_bits_of_one_run) { check_parts(weak_beam()); }

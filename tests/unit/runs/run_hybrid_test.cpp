@@ -1,14 +1,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <functional>
 #include <numbers>
 #include <sstream>
-#include <thread>
 
 #include "sazare/core/error.hpp"
 #include "sazare/parallel/threads.hpp"
@@ -65,24 +62,9 @@ TEST(run_hybrid, can_be_run_again_from_the_case_in_its_folder) {
 
 TEST(run_hybrid, in_many_parts_gives_the_bits_of_one_run) {
   const TemporaryFolder folder;
-  run_quietly(seawall(), folder / "whole");
-  int parts = 1;
-  for (;; ++parts) {
-    std::atomic<bool> stop = false;
-    std::jthread alarm([&](const std::stop_token& over) {
-      const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(100 * parts);
-      while (!over.stop_requested() && std::chrono::steady_clock::now() < end)
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      stop = true;
-    });
-    if (!run_quietly(seawall(), folder / "parts", Begin::resume, &stop).stopped) break;
-  }
-  EXPECT_GT(parts, 1);
-  const nlohmann::json one = read_manifest(folder / "whole"), many = read_manifest(folder / "parts");
-  EXPECT_GT(one["results"]["peak_force"].get<double>(), 0);
-  EXPECT_EQ(one["state_hash"], many["state_hash"]);
-  EXPECT_EQ(test::without_last_column(read_text(folder / "whole/history.csv")),
-            test::without_last_column(read_text(folder / "parts/history.csv")));
+  test::run_in_parts(seawall(), folder / "parts", test::run_whole(seawall(), folder / "whole"));
+  test::expect_same_runs(folder / "whole", folder / "parts");
+  EXPECT_GT(read_manifest(folder / "whole")["results"]["peak_force"].get<double>(), 0);
   for (const char* table : {"continuum/gauges.csv", "bodies/gauges.csv", "bodies/walls.csv"})
     EXPECT_EQ(read_text(folder / "whole" / table), read_text(folder / "parts" / table)) << table;
 }
@@ -233,23 +215,12 @@ const auto tetrahedra = [] { return shortened("rock-fall-on-slab", "0.0016", "1e
 TEST(run_hybrid, bodies_of_any_method_go_on_from_a_checkpoint_as_if_nothing_had_been) {
   for (const auto& of : {std::function<cases::CaseFile()>(blocks_in_the_plane), std::function<cases::CaseFile()>(tetrahedra)}) {
     const TemporaryFolder folder;
-    run_quietly(of(), folder / "whole");
-    std::atomic<bool> stop = false;
-    std::jthread alarm([&](const std::stop_token& over) {
-      while (!over.stop_requested() && !fs::exists(folder / "parts/checkpoint"))
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-      stop = true;
-    });
-    const bool stopped = run_quietly(of(), folder / "parts", Begin::resume, &stop).stopped;
+    const std::int64_t asked = test::run_whole(of(), folder / "whole");
     parallel::set_threads(2);
-    if (stopped) run_quietly(of(), folder / "parts", Begin::resume);
+    test::run_in_parts(of(), folder / "parts", asked);
     parallel::set_threads(1);
-    const nlohmann::json one = read_manifest(folder / "whole"), two = read_manifest(folder / "parts");
-    EXPECT_GT(one["results"]["peak_force"].get<double>(), 0);
-    EXPECT_EQ(one["state_hash"], two["state_hash"]);
-    EXPECT_EQ(test::without_last_column(read_text(folder / "whole/history.csv")),
-              test::without_last_column(read_text(folder / "parts/history.csv")));
+    EXPECT_GT(read_manifest(folder / "whole")["results"]["peak_force"].get<double>(), 0);
+    test::expect_same_runs(folder / "whole", folder / "parts");
   }
 }
 

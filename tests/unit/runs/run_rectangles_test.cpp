@@ -1,9 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <chrono>
 #include <fstream>
-#include <thread>
 
 #include "sazare/core/error.hpp"
 #include "sazare/methods/rectangles/run/assembly.hpp"
@@ -46,24 +43,9 @@ TEST(run_rectangles, writes_its_folder_and_its_figures) {
 TEST(run_rectangles, in_many_parts_gives_the_bits_of_one_run) {
   const TemporaryFolder folder;
   const cases::CaseFile file = beam();
-  registry::run_case(file, {folder / "whole", Begin::fresh, true});
-  for (int parts = 1;; ++parts) {
-    std::atomic<bool> stop = false;
-    std::jthread alarm([&](const std::stop_token& over) {
-      const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(5 * parts);
-      while (!over.stop_requested() && std::chrono::steady_clock::now() < end)
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      stop = true;
-    });
-    if (registry::run_case(file, {folder / "parts", Begin::resume, true, &stop}).stopped) continue;
-    EXPECT_GT(parts, 1);
-    break;
-  }
-  const nlohmann::json one = read_manifest(folder / "whole"), many = read_manifest(folder / "parts");
-  EXPECT_EQ(one["state_hash"], many["state_hash"]);
+  test::run_in_parts(file, folder / "parts", test::run_whole(file, folder / "whole"));
+  test::expect_same_runs(folder / "whole", folder / "parts");
   EXPECT_EQ(read_text(folder / "whole/gauges.csv"), read_text(folder / "parts/gauges.csv"));
-  EXPECT_EQ(test::without_last_column(read_text(folder / "whole/history.csv")),
-            test::without_last_column(read_text(folder / "parts/history.csv")));
 }
 
 TEST(run_rectangles, refuses_a_step_above_the_limit_and_warns_of_one_near_it) {

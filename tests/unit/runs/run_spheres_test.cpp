@@ -2,8 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <chrono>
-#include <thread>
 
 #include "sazare/core/error.hpp"
 #include "sazare/methods/spheres/case/case.hpp"
@@ -125,24 +123,10 @@ TEST(run_spheres, writes_its_folder_and_its_figures) {
 }
 
 void expect_the_same_in_parts(const TemporaryFolder& folder, const cases::CaseFile& file) {
-  carry_out(file, folder / "whole");
-  for (int parts = 1;; ++parts) {
-    std::atomic<bool> stop = false;
-    std::jthread alarm([&](const std::stop_token& over) {
-      const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(20 * parts);
-      while (!over.stop_requested() && std::chrono::steady_clock::now() < end)
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      stop = true;
-    });
-    if (carry_out(file, folder / "parts", Begin::resume, &stop).stopped) continue;
-    EXPECT_GT(parts, 1);
-    break;
-  }
-  EXPECT_EQ(read_manifest(folder / "whole")["state_hash"], read_manifest(folder / "parts")["state_hash"]);
+  test::run_in_parts(file, folder / "parts", test::run_whole(file, folder / "whole"));
+  test::expect_same_runs(folder / "whole", folder / "parts");
   for (const char* table : {"gauges.csv", "walls.csv"})
     EXPECT_EQ(read_text(folder / "whole" / table), read_text(folder / "parts" / table));
-  EXPECT_EQ(test::without_last_column(read_text(folder / "whole/history.csv")),
-            test::without_last_column(read_text(folder / "parts/history.csv")));
 }
 
 class InParts : public testing::TestWithParam<const char*> {};

@@ -125,7 +125,7 @@ inline cases::CaseFile case_of(const test::TemporaryFolder& folder, const std::s
 }
 
 inline RunOutcome carry_out(const cases::CaseFile& file, const std::filesystem::path& folder, Begin begin = Begin::fresh,
-                            const std::atomic<bool>* stop = nullptr) {
+                            const StopRequest& stop = {}) {
   return registry::run_case(file, {folder, begin, true, stop});
 }
 

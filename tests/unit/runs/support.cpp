@@ -1,5 +1,8 @@
 #include "tests/unit/runs/support.hpp"
 
+#include <gtest/gtest.h>
+
+#include <atomic>
 #include <sstream>
 
 #include "sazare/methods/blocks/case/case.hpp"
@@ -25,8 +28,32 @@ cases::CaseFile loose_case() {
 
 BlocksModel block_model(const cases::CaseFile& file) { return build_blocks(file.as<cases::BlocksCase>(), load_mesh(file, {}, true)); }
 
-RunOutcome run_quietly(const cases::CaseFile& file, const fs::path& folder, Begin begin, const std::atomic<bool>* stop) {
+RunOutcome run_quietly(const cases::CaseFile& file, const fs::path& folder, Begin begin, const StopRequest& stop) {
   return registry::run_case(file, {folder, begin, true, stop});
+}
+
+std::int64_t run_whole(const cases::CaseFile& file, const fs::path& folder) {
+  std::atomic<std::int64_t> asked = 0;
+  EXPECT_FALSE(run_quietly(file, folder, Begin::fresh, StopRequest([&] { return ++asked < 0; })).stopped);
+  return asked;
+}
+
+void run_in_parts(const cases::CaseFile& file, const fs::path& folder, std::int64_t asked_by_whole) {
+  int resumed = 0;
+  for (std::int64_t part = 1;; ++part) {
+    std::atomic<std::int64_t> asked = 0;
+    const StopRequest stop([&] { return ++asked > part * asked_by_whole / 5; });
+    const RunOutcome outcome = run_quietly(file, folder, Begin::resume, stop);
+    if (!outcome.stopped) break;
+    EXPECT_EQ(read_manifest(folder)["status"], "stopped");
+    if (outcome.begun) ++resumed;
+  }
+  EXPECT_GT(resumed, 0);
+}
+
+void expect_same_runs(const fs::path& one, const fs::path& other) {
+  EXPECT_EQ(read_manifest(one)["state_hash"], read_manifest(other)["state_hash"]);
+  EXPECT_EQ(without_last_column(read_text(one / "history.csv")), without_last_column(read_text(other / "history.csv")));
 }
 
 nlohmann::json read_manifest(const fs::path& folder) { return nlohmann::json::parse(read_text(folder / "manifest.json")); }

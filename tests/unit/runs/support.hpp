@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -28,7 +29,17 @@ BlocksModel block_model(const cases::CaseFile& file);
 
 /// Carries out a case without a word.
 RunOutcome run_quietly(const cases::CaseFile& file, const std::filesystem::path& folder, Begin begin = Begin::fresh,
-                       const std::atomic<bool>* stop = nullptr);
+                       const StopRequest& stop = {});
+
+/// Carries out a case without a word, and returns how often it asked whether it is to stop.
+std::int64_t run_whole(const cases::CaseFile& file, const std::filesystem::path& folder);
+
+/// Carries out a case without a word in parts: the first is stopped when it has asked a fifth of the times that the whole asks,
+/// each part goes on from the checkpoint of the one before it, and is longer. At least one must be stopped after its beginning.
+void run_in_parts(const cases::CaseFile& file, const std::filesystem::path& folder, std::int64_t asked_by_whole);
+
+/// Expects the same state and the same history of two runs.
+void expect_same_runs(const std::filesystem::path& one, const std::filesystem::path& other);
 
 nlohmann::json read_manifest(const std::filesystem::path& folder);
 

@@ -1,10 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <chrono>
 #include <fstream>
 #include <sstream>
-#include <thread>
 
 #include "sazare/core/error.hpp"
 #include "sazare/registry/registry.hpp"
@@ -186,24 +183,9 @@ TEST(water_on_fem, in_many_parts_gives_the_bits_of_one_run) {
   const auto file = folder.read(water("sea", "group = \"sea\"\nlevel = 3\nadded_mass = \"westergaard\"\nramp = 0.5\n") + uplift +
                                     "\n[[boundaries]]\ngroup = \"sides\"\nkind = \"viscous\"\n",
                                 {"time.analysis=dynamic", "time.step=5e-4"});
-  const auto whole = folder.run(file);
-  const std::string history = folder.history();
-  EXPECT_GT(last_of(history, "energy_kinetic_water [J]"), 0);
-  fs::remove_all(folder / "run");
-  int parts = 1;
-  for (;; ++parts) {
-    std::atomic<bool> stop = false;
-    std::jthread alarm([&](const std::stop_token& over) {
-      const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(100 * parts);
-      while (!over.stop_requested() && std::chrono::steady_clock::now() < end)
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      stop = true;
-    });
-    if (!registry::run_case(file, {folder / "run", Begin::resume, true, &stop}).stopped) break;
-  }
-  EXPECT_GT(parts, 1);
-  EXPECT_EQ(whole["state_hash"], read_manifest(folder / "run")["state_hash"]);
-  EXPECT_EQ(test::without_last_column(history), test::without_last_column(folder.history()));
+  test::run_in_parts(file, folder / "parts", test::run_whole(file, folder / "whole"));
+  EXPECT_GT(last_of(read_text(folder / "whole/history.csv"), "energy_kinetic_water [J]"), 0);
+  test::expect_same_runs(folder / "whole", folder / "parts");
 }
 
 TEST(water_on_fem, says_what_does_not_fit_the_mesh) {

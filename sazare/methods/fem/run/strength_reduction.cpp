@@ -96,7 +96,7 @@ private:
     stepper.start();
     const auto steps = static_cast<std::int64_t>(std::llround(fem.time.end / model_->step));
     while (stepper.steps() < steps) {
-      if (rules.stop_asked != nullptr && rules.stop_asked->load(std::memory_order_relaxed)) return false;
+      if (rules.stop.is_made()) return false;
       stepper.advance();
     }
     return true;

@@ -22,7 +22,7 @@ public:
   /// Joins the partner: at the beginning, or where the checkpoint says.
   void open() {
     channel_.emplace(coupling::ExchangeOptions{options_.one_side->folder, options_.one_side->side, mark_, true,
-                                               options_.one_side->time_out, options_.stop_asked});
+                                               options_.one_side->time_out, options_.stop});
   }
   Channel& channel() { return *channel_; }
 

@@ -59,9 +59,7 @@ std::string words_of_rest(std::int64_t steps, Real left, Real tolerance) {
                      short_number(tolerance, 3));
 }
 
-bool is_stopped(const RunOptions& options) {
-  return options.stop_asked != nullptr && options.stop_asked->load(std::memory_order_relaxed);
-}
+bool is_stopped(const RunOptions& options) { return options.stop.is_made(); }
 
 /// The columns beside free-field sides come to rest before the ground does, which they carry. False when asked to stop.
 template <int D>

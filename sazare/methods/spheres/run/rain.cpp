@@ -60,7 +60,7 @@ bool let_rain(const cases::SpheresCase& spheres, SpheresModel& model, const RunO
     // What is left falls by about the same factor in equal times.
     if (progress.is_due())
       progress.show({std::log(first / unrest) / std::log(first), 0, done * count, model.steps.smallest(), -1, "particle-steps"});
-    const bool goes_on = options.stop_asked == nullptr || !options.stop_asked->load(std::memory_order_relaxed);
+    const bool goes_on = !options.stop.is_made();
     return options.sharing.ranks == nullptr ? goes_on : options.sharing.ranks->from_first(goes_on) != 0;
   };
   const methods::spheres::RainEnd end = model.stepper->rain(rules);

@@ -87,7 +87,7 @@ public:
 
 private:
   bool must_stop() const {
-    const bool asked = options_.stop_asked != nullptr && options_.stop_asked->load(std::memory_order_relaxed);
+    const bool asked = options_.stop.is_made();
     const parallel::Ranks* ranks = options_.sharing.ranks;
     return ranks == nullptr ? asked : ranks->from_first(asked ? 1 : 0) != 0;
   }
