@@ -61,7 +61,7 @@ constexpr std::array factor_keys{
         .range = positive,
         .default_text = "0.5",
         .sentence = "Factor at which the ground stands. Strengths are divided by factors: below 1 the ground is stronger than in "
-                    "its case."},
+                    "its case. Where it fails already, or stands at the upper one still, the factor of the case is nan."},
     Key{.name = "upper",
         .type = Type::number,
         .range = positive,

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/core/error.hpp"
@@ -29,7 +30,7 @@ public:
 
   /// False when asked to stop.
   bool run() {
-    const StrengthTrial elastic = ground_->try_out({.factor = {}, .stop_asked = options_.stop_asked});
+    const StrengthTrial elastic = ground_->try_out({.factor = {}, .stop = options_.stop});
     if (is_stopped()) return false;
     if (!elastic.stands)
       cases::refuse(file_, "gravity", "the ground does not come to rest under gravity, however strong it is: " + elastic.end,
@@ -39,8 +40,10 @@ public:
     return bracket() && bisect();
   }
 
+  /// Where the bounds do not bracket the factor it is nan.
   std::vector<Real> row() const {
-    return {static_cast<Real>(ground_->size()), lower_,        upper_,  std::sqrt(lower_ * upper_),
+    const Real factor = is_bracketed() ? std::sqrt(lower_ * upper_) : std::numeric_limits<Real>::quiet_NaN();
+    return {static_cast<Real>(ground_->size()), lower_,        upper_,  factor,
             static_cast<Real>(trials_.size()),  displacement_, elastic_};
   }
 
@@ -58,12 +61,12 @@ public:
   }
 
 private:
-  bool is_stopped() const { return options_.stop_asked != nullptr && options_.stop_asked->load(std::memory_order_relaxed); }
+  bool is_stopped() const { return options_.stop.is_made(); }
 
   /// A case that is sound may not be with another strength.
   StrengthTrial trial_of(Real factor) {
     try {
-      return ground_->try_out({.factor = factor, .most_displacement = most_displacement_, .stop_asked = options_.stop_asked});
+      return ground_->try_out({.factor = factor, .most_displacement = most_displacement_, .stop = options_.stop});
     } catch (const UserError& refused) {
       throw UserError(fmt::format("{}\n  found in {}, with its strength divided by {}", refused.what(), name_of_case(),
                                   short_number(factor)));
@@ -89,30 +92,40 @@ private:
 
   std::string name_of_case() const { return fmt::format("case {} of the study ({})", number_, file_.path.string()); }
 
-  /// The ground must stand at the lower bound and fail at the upper one.
+  bool is_bracketed() const { return lower_ > 0 && std::isfinite(upper_); }
+
+  /// The ground should stand at the lower bound and fail at the upper one. False when asked to stop.
   bool bracket() {
     const cases::StudyFactor& factor = study_.factor;
     const StrengthTrial low = try_out(factor.lower);
     if (is_stopped()) return false;
     if (!options_.quiet) fmt::print(stderr, "{}", ground_->warning());
-    if (!low.stands)
-      cases::refuse(study_, "factor.lower",
-                    fmt::format("{} fails with its strength over the lower bound of {} already: {}", name_of_case(),
-                                short_number(factor.lower), low.end),
-                    "the factor of safety lies below: give a smaller lower, or the ground more strength");
+    if (!low.stands) {
+      tell_bound("factor.lower",
+                 fmt::format("{} fails with its strength over the lower bound of {} already: {}", name_of_case(),
+                             short_number(factor.lower), low.end),
+                 "the factor of safety lies below: give a smaller lower, or the ground more strength");
+      return true;
+    }
     const StrengthTrial high = try_out(factor.upper);
     if (is_stopped()) return false;
     if (high.stands)
-      cases::refuse(
-          study_, "factor.upper",
+      tell_bound(
+          "factor.upper",
           fmt::format("{} still stands with its strength over the upper bound of {}", name_of_case(), short_number(factor.upper)),
           "the factor of safety lies above: give a larger upper; if the ground never fails, look whether elastic "
           "ground or boundaries hold it");
     return true;
   }
 
+  /// A bound beyond which the factor lies: an error of a single case, while a study of several goes on with the others.
+  void tell_bound(const std::string& key, const std::string& what, const std::string& help) const {
+    if (study_.size() == 1) cases::refuse(study_, key, what, help);
+    fmt::print(stderr, "{}", cases::warning(study_, key, what, help));
+  }
+
   bool bisect() {
-    while (upper_ > study_.factor.ratio * lower_) {
+    while (is_bracketed() && upper_ > study_.factor.ratio * lower_) {
       try_out(std::sqrt(lower_ * upper_));
       if (is_stopped()) return false;
     }
@@ -125,7 +138,7 @@ private:
   std::size_t number_;
   std::unique_ptr<StrengthReduction> ground_;
   Real elastic_ = 0, most_displacement_ = 0;  ///< [m]
-  Real lower_ = 0, upper_ = 0;
+  Real lower_ = 0, upper_ = std::numeric_limits<Real>::infinity();
   Real displacement_ = 0;  ///< of the last trial that stood [m]
   Table trials_;
   std::vector<MovedGround> failed_;  ///< at the end of the last trial that failed
@@ -152,25 +165,35 @@ public:
   }
 
   std::vector<std::pair<std::string, observe::Figure>> figures(std::span<const StudyRow> rows) const override {
-    if (rows.empty()) return {};
-    const auto [least, most] = extremes(rows);
+    const std::vector<Real> factors = found_factors(rows);
+    if (factors.empty()) return {};
+    const auto [least, most] = std::ranges::minmax(factors);
     return {{"smallest_factor", least}, {"largest_factor", most}};
   }
 
   std::string summary(std::span<const StudyRow> rows) const override {
-    const auto [least, most] = extremes(rows);
-    std::string text = fmt::format("factor of safety {}", short_number(least, 4));
-    if (rows.size() > 1) text += fmt::format(" to {}", short_number(most, 4));
-    return text + fmt::format(", bounds within {:.2g} %\n", 100 * (study_.factor.ratio - 1));
+    const std::vector<Real> factors = found_factors(rows);
+    std::string text;
+    if (!factors.empty()) {
+      const auto [least, most] = std::ranges::minmax(factors);
+      text = fmt::format("factor of safety {}", short_number(least, 4));
+      if (factors.size() > 1) text += fmt::format(" to {}", short_number(most, 4));
+      text += fmt::format(", bounds within {:.2g} %\n", 100 * (study_.factor.ratio - 1));
+    }
+    if (const std::size_t missed = rows.size() - factors.size(); missed > 0)
+      text +=
+          fmt::format("{} of {} cases have a factor below lower or above upper; study.csv has nan for it\n", missed, rows.size());
+    return text;
   }
 
 private:
   static constexpr std::size_t factor = 3;  // of `found`
 
-  static std::pair<Real, Real> extremes(std::span<const StudyRow> rows) {
-    const auto by_factor = [](const StudyRow& row) { return row.found[factor]; };
-    const auto [least, most] = std::ranges::minmax_element(rows, {}, by_factor);
-    return {by_factor(*least), by_factor(*most)};
+  static std::vector<Real> found_factors(std::span<const StudyRow> rows) {
+    std::vector<Real> factors;
+    for (const StudyRow& row : rows)
+      if (std::isfinite(row.found[factor])) factors.push_back(row.found[factor]);
+    return factors;
   }
 
   const cases::Study& study_;

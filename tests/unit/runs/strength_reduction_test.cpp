@@ -123,6 +123,28 @@ TEST(strength_reduction, says_on_which_side_the_bounds_do_not_bracket) {
   EXPECT_NE(high.find("still stands with its strength over the upper bound of 1.2"), std::string::npos) << high;
 }
 
+TEST(strength_reduction, of_several_cases_goes_on_where_the_bounds_do_not_bracket_one) {
+  const TemporaryFolder folder;
+  const cases::Study study = study_of(folder, block_on_a_joint(folder, "friction_angle = 30.0\n"), "lower = 1.0\nupper = 1.4\n",
+                                      "[[parameters]]\nname = \"friction\"\nkeys = [\"joints.0.friction_angle\"]\n"
+                                      "values = [15, 24, 30]\n");
+  EXPECT_EQ(run(study, folder / "out").done, 3);
+  const std::vector<double> lower = column(folder / "out", 7), upper = column(folder / "out", 6),
+                            factor = column(folder / "out", 5);
+  EXPECT_EQ(lower.at(0), 0);
+  EXPECT_EQ(upper.at(0), 1);
+  EXPECT_NEAR(factor.at(1), std::tan(24 * std::numbers::pi / 180) / 0.36397, 0.02);
+  EXPECT_EQ(lower.at(2), 1.4);
+  EXPECT_TRUE(std::isinf(upper.at(2)));
+  for (const std::size_t i : {0, 2}) EXPECT_TRUE(std::isnan(factor.at(i)));
+  const nlohmann::json results = read_manifest(folder / "out")["results"];
+  EXPECT_EQ(results["smallest_factor"], results["largest_factor"]);
+  // Rows that are read again count as they did.
+  std::ofstream(folder / "out/manifest.json") << R"({"status": "stopped"})";
+  EXPECT_NE(run(study, folder / "out", Begin::resume).summary.find("2 of 3 cases have a factor below lower or above upper"),
+            std::string::npos);
+}
+
 /// Particles of a slope, coarse.
 TEST(strength_reduction, bisects_ground_of_particles_and_goes_on_where_it_stopped) {
   const TemporaryFolder folder;
