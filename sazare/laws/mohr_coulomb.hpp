@@ -46,6 +46,11 @@ struct MohrCoulomb {
     return (largest - smallest) + (largest + smallest) * sin_friction - 2 * cohesion * cos_friction;
   }
   Real tension(Real largest) const { return largest - tensile_strength; }
+  /// Of a plane under a normal stress, of compression, in ground that flows coaxially in plane strain (Davis 1968) [Pa].
+  Real shear_strength(Real normal_stress) const {
+    const Real cos_dilation = std::sqrt(1 - sin_dilation * sin_dilation);
+    return (cohesion * cos_friction + normal_stress * sin_friction) * cos_dilation / (1 - sin_friction * sin_dilation);
+  }
   bool bears(Real largest, Real smallest) const { return shear(largest, smallest) <= 0 && tension(largest) <= 0; }
 };
 

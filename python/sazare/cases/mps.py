@@ -88,9 +88,14 @@ class Material(Part):
     """Cohesion to which that of ground that yields falls; the tensile strength falls with it. [Pa] (only with a cohesion, and
     with a softening_displacement; default: the cohesion stays) At least 0.
     """
+    residual_friction_angle: float | None = None
+    """Angle of friction to which that of ground that yields falls; its dilation ends with it. Ground that has broken has this
+    friction. [deg] (only with a cohesion, and with a softening_displacement; default: friction and dilation stay) At least 0
+    and at most 60.
+    """
     softening_displacement: float | None = None
     """Slip across a shear band over which the strength would fall to the residual one at the rate at which it begins to; it does
-    not depend on the spacing. [m] (required with a residual_cohesion) Greater than 0.
+    not depend on the spacing. [m] (required with a residual_cohesion or a residual_friction_angle) Greater than 0.
     """
     backbone: Literal["hyperbolic", "ramberg_osgood", "table"] | None = None
     """Soil that degrades with shear strain and dissipates by Masing's rules: stress of a first loading in shear, a hyperbola, the

@@ -151,7 +151,7 @@ laws::GroundStep<D> GatheredGround<D>::advance_one(const state::Particles<D>& pa
   if (!around.is_alone) {
     const Rotation<D> strain = 0.5 * around.fade * (around.gradient + around.gradient.transpose());
     const Rotation<D> spin = 0.5 * (around.gradient - around.gradient.transpose());
-    return laws::advance_ground<D>(ground.law, ground.elastic, strain, spin, member.state);
+    return laws::advance_ground<D>(ground.residual_strength(), ground.elastic, strain, spin, member.state);
   }
   laws::GroundStep<D> lost;
   lost.dissipated = laws::elastic_energy<D>(ground.elastic, member.state.stress);

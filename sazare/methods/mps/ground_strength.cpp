@@ -127,6 +127,8 @@ GroundStrength<D>::GroundStrength(const state::Particles<D>& particles, const Li
     for (state::Column& column : *tensors) column.assign(particles.padded(), 0);
   for (Index i = 0; i < particles.count; ++i) measure(i, links);
   any_yields_ = std::ranges::any_of(grounds_, &StrengthOfGround::yields);
+  const auto softens = [](const StrengthOfGround& ground) { return ground.softening.has_value(); };
+  if (std::ranges::any_of(grounds_, softens)) fallen_.assign(particles.padded(), 0);
   std::vector<DegradingSoil> soils;
   for (const StrengthOfGround& ground : grounds_) soils.push_back({ground.elastic, ground.parts});
   degrading_ = DegradingGround<D>(soils, material_, volumes_told(particles, links));
@@ -192,12 +194,20 @@ bool GroundStrength<D>::flow_one(const state::Particles<D>& particles, const Ten
   if (inverse_[0][i] == 0) return false;
   const Rotation<D> elastic = elastic_strain(particles, stretch, i);
   const auto [largest, smallest] = extreme_stresses<D>(ground.elastic, elastic);
-  if (ground.strength(slip_[i]).bears(largest, smallest)) return false;
+  const laws::MohrCoulomb strength = ground.softening ? ground.strength(fallen_[i]) : ground.law;
+  if (strength.bears(largest, smallest)) return false;
   Eigen::SelfAdjointEigenSolver<Rotation<D>> solver;
   solver.computeDirect(elastic);
   std::array<Real, D> strain;
   for (int axis = 0; axis < D; ++axis) strain[static_cast<std::size_t>(axis)] = solver.eigenvalues()[axis];
-  const auto flow = laws::softening_flow<D>(ground.law, ground.softening, ground.elastic, slip_[i], strain);
+  laws::PlasticFlow<D> flow;
+  if (ground.softening) {
+    const Real softening_strain = ground.softening->strain(ground.law, strength, -0.5 * (largest + smallest));
+    flow = laws::softening_flow<D>(ground.law, ground.softening->law, ground.elastic, fallen_[i], softening_strain, strain);
+    fallen_[i] = std::min(fallen_[i] + flow.slip / softening_strain, Real{1});
+  } else {
+    flow = laws::plastic_flow<D>(ground.law, ground.elastic, strain);
+  }
   if (!(flow.slip > 0)) return false;
   Vector<D> part;
   for (std::size_t axis = 0; axis < D; ++axis) part[static_cast<int>(axis)] = flow.strain[axis];
@@ -268,6 +278,7 @@ template <int D>
 void GroundStrength<D>::columns(Archive& archive) {
   for (std::size_t n = 0; n < numbers; ++n) archive("plastic" + std::to_string(n), plastic_[n]);
   archive("slip", slip_);
+  if (!fallen_.empty()) archive("fallen", fallen_);
   archive.folder("degrading", [&] { degrading_.columns(archive); });
 }
 

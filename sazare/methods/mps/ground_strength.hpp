@@ -3,9 +3,11 @@
 /// Ground that flows: each particle remembers a plastic strain, to which its links relax. It flows where it reaches a strength,
 /// or degrades with strain (degrading_ground.hpp).
 
-#include "sazare/laws/cohesion_softening.hpp"
+#include <optional>
+
 #include "sazare/laws/mohr_coulomb.hpp"
 #include "sazare/methods/mps/degrading_ground.hpp"
+#include "sazare/methods/mps/softening.hpp"
 
 namespace sazare::methods::mps {
 
@@ -17,10 +19,12 @@ struct StrengthOfGround {
   Real density = 0;         ///< [kg/m3]
   Real rupture_strain = 0;  ///< slip at which links break [-]
   std::vector<laws::OverlayPart> parts = {};  ///< of soil that degrades with strain, without a strength; else none
-  laws::CohesionSoftening softening = {};     ///< of the law's cohesion with slip
+  std::optional<Softening> softening = {};    ///< of the law with slip
 
-  /// The strength after a slip.
-  laws::MohrCoulomb strength(Real slip) const { return softening.at(law, slip); }
+  /// The strength after a share of its fall.
+  laws::MohrCoulomb strength(Real share) const { return softening ? softening->law.at(law, share) : law; }
+  /// What large strains leave; broken ground has its friction.
+  laws::MohrCoulomb residual_strength() const { return strength(1); }
 };
 
 /// Strain of a particle since its unstressed state and its stress, in space.
@@ -94,6 +98,7 @@ private:
   Tensors<D> inverse_;  ///< S^-1; zero where the links do not span the space
   Tensors<D> last_flow_;  ///< of particles that have flowed [-]
   state::Column slip_;
+  state::Column fallen_;  ///< share of the fall of the strength [-]; empty where nothing softens
   std::vector<std::uint8_t> flowed_;
   DegradingGround<D> degrading_;
   bool any_yields_ = false;

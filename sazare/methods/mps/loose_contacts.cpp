@@ -129,7 +129,7 @@ typename LooseContacts<D>::Force LooseContacts<D>::force(const state::Particles<
   laws::SphereContact law;
   law.stiffness = stiffness_of(particles, a, b);
   law.damping = 2 * rules_.damping_ratio * std::sqrt(law.stiffness * motion.normal_mass);
-  law.friction = std::min(a.law.tan_friction, b.law.tan_friction);
+  law.friction = std::min(a.residual_strength().tan_friction, b.residual_strength().tan_friction);
   Real turn = 0;
   if constexpr (D == 3) turn = 0.5 * rules_.step * spin.dot(normal);
   pair.memory.turn(in_space<D>(normal), in_space<D>(rules_.step / distance * moving), turn);

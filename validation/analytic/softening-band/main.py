@@ -13,32 +13,49 @@ HERE = Path(__file__).resolve().parent
 SPACINGS = (0.5, 0.25, 0.125)  # m
 HEIGHT, MODULUS = 20.0, 2000.0 * 100.0**2  # m, Pa; of strip.toml
 PEAK, RESIDUAL, SOFTENING = 20e3, 4e3, 0.1  # Pa, Pa, m
+SINE_PEAK, SINE_RESIDUAL = math.sin(math.radians(40.0)), 0.5  # of the angles of friction of sand.toml
+GRAVITY, ABOVE_MIDDLE = 10.0, 7.0 * 20.0 * 10.0  # m/s2, Pa; of sand.toml: what lies between its middle and the cap
+PRESSURES = (50e3, 100e3)  # Pa
 SLIP = 0.15  # m, to which energies are compared
 DIAGONAL = 0.5 * (1.5 / math.sqrt(2.0) - 1.0)  # stiffness of diagonal links, those along the axes have 0.5
 MEAN_REACH = 0.75 * (0.5 + 4.0 * DIAGONAL) / (0.5 + 2.0 * DIAGONAL)  # of bands of all directions over that along an axis
 
 
 def curve():
-    """Slip [m] of a band along an axis of the lattice, and its shear stress [Pa], in closed form."""
+    """Slip [m] of a band along an axis of the lattice, and what is left of the drop of its strength [-], in closed form."""
     left = np.linspace(1.0, 0.08, 2000)
     early = left >= 0.5
     t = np.minimum(left, 0.5)
     core = np.sqrt(1.0 - 2.0 * t) / t
     late = ((1.0 - t) * np.arccos(np.clip(-t / (1.0 - t), -1.0, 1.0)) - np.sqrt(1.0 - 2.0 * t) + core + t * core**3 / 3.0) / np.pi
     slip = np.where(early, 1.0 - left, late) * SOFTENING / math.sqrt(MEAN_REACH)
-    return slip, RESIDUAL + left * (PEAK - RESIDUAL)
+    return slip, left
 
 
-def strip(spacing, softening, folder):
-    """Slip [m], shear stress [Pa] and dissipated energy per area [J/m2] in the snapshots of a strip."""
+def clay(softening):
+    """The strip that loses cohesion over a softening displacement [m]."""
     case = sazare.read_case(HERE / "strip.toml")
+    for material in case.materials[1:]:
+        material.softening_displacement = softening
+    return case
+
+
+def sand(pressure):
+    """The strip that loses friction under a cap of 3 m that presses with this much [Pa]."""
+    case = sazare.read_case(HERE / "sand.toml")
+    cap = case.materials[0]
+    cap.density = pressure / (3.0 * GRAVITY)
+    cap.s_wave_velocity = math.sqrt(MODULUS / cap.density)
+    return case
+
+
+def strip(case, spacing, folder):
+    """Slip [m], shear stress [Pa] and dissipated energy per area [J/m2] in the snapshots of a strip."""
     case.particles.spacing = spacing
     for region in case.regions:
         region.upper[0] = 2.0 * spacing
         region.lower[1] += 0.25 - 0.5 * spacing
         region.upper[1] -= 0.25 - 0.5 * spacing
-    for material in case.materials[1:]:
-        material.softening_displacement = softening
     run = sazare.run(case, folder, progress=False)
     rows = []
     for snapshot in run.particle_snapshots:
@@ -46,8 +63,9 @@ def strip(spacing, softening, folder):
         start = np.asarray(grid.points)[:, 1] - np.asarray(grid["displacement"])[:, 1]
         ends = np.minimum(start, HEIGHT - start)
         elastic = (ends > 0.75) & (ends < 2.25)
-        stress = np.asarray(grid["shear_stress"])[elastic, 0].mean()
-        moved = np.asarray(grid["displacement"])[start > HEIGHT - 1e-6, 0].mean()
+        stress = abs(np.asarray(grid["shear_stress"])[elastic, 0].mean())
+        along = np.asarray(grid["displacement"])[:, 0]
+        moved = np.ptp(along[(start < 1e-6) | (start > HEIGHT - 1e-6)])
         plastic = np.interp(snapshot.time, run.history["time"], run.history["energy_plastic"])
         rows.append((moved - stress * HEIGHT / MODULUS, stress, plastic / (2.0 * spacing)))
     residual = abs(run.history["energy_residual"][-1]) / run.history["energy_work_boundary"][-1]
@@ -60,18 +78,26 @@ def energy(slip, stress, dissipated):
 
 
 def main():
-    exact_slip, exact_stress = curve()
+    exact_slip, left = curve()
+    exact_stress = RESIDUAL + left * (PEAK - RESIDUAL)
     shown = np.linspace(0.02, SLIP, 14)
     expected = np.interp(shown, exact_slip, exact_stress)
+    of_sand = {}
     found, residuals = {}, []
     with tempfile.TemporaryDirectory() as place:
         for spacing in SPACINGS:
-            *found[spacing], residual = strip(spacing, SOFTENING, Path(place) / f"{spacing}")
+            *found[spacing], residual = strip(clay(SOFTENING), spacing, Path(place) / f"{spacing}")
             residuals.append(residual)
             if "--draw" in sys.argv:
                 np.savetxt(f"{sys.argv[-1]}/{spacing}.csv", np.stack(found[spacing], axis=1))
         # As if the softening strain of the coarsest were given to all: u is as the spacing.
-        local = [strip(spacing, SOFTENING * spacing / SPACINGS[0], Path(place) / f"local-{spacing}")[:3] for spacing in SPACINGS]
+        local = [strip(clay(SOFTENING * spacing / SPACINGS[0]), spacing, Path(place) / f"local-{spacing}")[:3] for spacing in SPACINGS]
+        for pressure in PRESSURES:
+            for spacing in SPACINGS[:2]:
+                *of_sand[pressure, spacing], residual = strip(sand(pressure), spacing, Path(place) / f"sand-{pressure}-{spacing}")
+                residuals.append(residual)
+                if "--draw" in sys.argv:
+                    np.savetxt(f"{sys.argv[-1]}/sand-{pressure}-{spacing}.csv", np.stack(of_sand[pressure, spacing], axis=1))
     for spacing in SPACINGS:
         slip, stress, _ = found[spacing]
         off = np.abs(np.interp(shown, slip, stress) - expected).max() / (PEAK - RESIDUAL)
@@ -84,6 +110,11 @@ def main():
     with_length = [np.trapezoid(np.interp(s, *found[spacing][:2]) - RESIDUAL, s) for spacing in SPACINGS]
     print(f"above-residual,{max(with_length) / min(with_length):.6g}")
     print(f"without,{max(without) / min(without):.6g}")
+    late = np.linspace(0.12, 0.18, 7)
+    for (pressure, spacing), (slip, stress, _) in of_sand.items():
+        normal = pressure + ABOVE_MIDDLE
+        kept = (np.interp(late, slip, stress) / normal - SINE_RESIDUAL) / (SINE_PEAK - SINE_RESIDUAL)
+        print(f"sand-{pressure / 1e3:.0f}-{spacing},{np.abs(kept - np.interp(late, exact_slip, left)).max():.6g}")
     print(f"balance,{max(residuals):.6g}")
 
 

@@ -55,10 +55,16 @@ struct Ground : SoilBackbone {
   Real dilation_angle = 0;    // degrees
   std::optional<Real> tensile_strength;  // Pa; without it the tip of the strength
   Real rupture_strain = 0;
-  std::optional<Real> residual_cohesion;  // Pa; without it the cohesion stays
-  Real softening_displacement = 0;        // m
+  std::optional<Real> residual_cohesion;        // Pa; without it the cohesion stays
+  std::optional<Real> residual_friction_angle;  // degrees; without it friction and dilation stay, with it dilation ends
+  Real softening_displacement = 0;              // m
 
-  bool softens() const { return yields && residual_cohesion.value_or(cohesion) < cohesion; }
+  Real residual_dilation_angle() const { return residual_friction_angle ? 0 : dilation_angle; }  // degrees
+  bool softens() const {
+    return yields &&
+           (residual_cohesion.value_or(cohesion) < cohesion ||
+            residual_friction_angle.value_or(friction_angle) < friction_angle || residual_dilation_angle() < dilation_angle);
+  }
   Real shear_modulus() const { return density * s_wave_velocity * s_wave_velocity; }  // Pa
   bool fails() const { return yields || degrades; }
 };

@@ -132,18 +132,27 @@ void check_materials(const CheckContext& context, const MpsCase& mps) {
                              "name it in the regions of one of the [[materials]]");
 }
 
+/// A residual value that is larger than the one at the peak is an error.
+void check_fall(const CheckContext& context, const Entry& entry, const std::string& key, Real residual, Real peak,
+                const char* unit) {
+  if (!entry.is_sound("residual_" + key) || !entry.is_sound(key) || residual <= peak) return;
+  context.problems.error(
+      entry.place("residual_" + key),
+      fmt::format("residual_{} must be at most {} = {} {}, found {}", key, key, short_number(peak), unit, short_number(residual)),
+      "the strength of ground does not rise with shear");
+}
+
 /// Whether the particles can resolve it, the model says.
 void check_softening(const CheckContext& context, const Entry& entry, const Ground& ground) {
-  if (!entry.has("residual_cohesion")) {
-    check_keys(context, entry, "a cohesion that stays", {}, {"softening_displacement"}, "give a residual_cohesion, or remove it");
+  if (!ground.residual_cohesion && !ground.residual_friction_angle) {
+    check_keys(context, entry, "a strength that stays", {}, {"softening_displacement"},
+               "give a residual_cohesion or a residual_friction_angle, or remove it");
     return;
   }
-  check_keys(context, entry, "a residual_cohesion", {"softening_displacement"}, {});
-  if (!entry.is_sound("residual_cohesion") || !entry.is_sound("cohesion") || *ground.residual_cohesion <= ground.cohesion) return;
-  context.problems.error(entry.place("residual_cohesion"),
-                         fmt::format("residual_cohesion must be at most cohesion = {} Pa, found {}",
-                                     short_number(ground.cohesion), short_number(*ground.residual_cohesion)),
-                         "ground that hardens with shear is not there");
+  check_keys(context, entry, ground.residual_cohesion ? "a residual_cohesion" : "a residual_friction_angle",
+             {"softening_displacement"}, {});
+  check_fall(context, entry, "cohesion", ground.residual_cohesion.value_or(0), ground.cohesion, "Pa");
+  check_fall(context, entry, "friction_angle", ground.residual_friction_angle.value_or(0), ground.friction_angle, "deg");
 }
 
 void check_strengths(const CheckContext& context, MpsCase& mps) {
@@ -156,7 +165,7 @@ void check_strengths(const CheckContext& context, MpsCase& mps) {
     if (!ground.yields) {
       check_keys(context, entry, "a material without cohesion", {},
                  {"friction_angle", "dilation_angle", "tensile_strength", "rupture_strain", "residual_cohesion",
-                  "softening_displacement"},
+                  "residual_friction_angle", "softening_displacement"},
                  "give the material a cohesion, 0.0 where it has none, or remove it");
       continue;
     }

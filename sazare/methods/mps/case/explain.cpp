@@ -16,6 +16,18 @@ std::string boundary_text(const SideBoundary& boundary) {
   return text + motion_names_text(boundary.motion, boundary.kind == SideKind::viscous);
 }
 
+/// What the strength of a ground falls to.
+std::string softening_text(const Ground& ground) {
+  std::vector<std::string> falls;
+  if (ground.residual_cohesion) falls.push_back(fmt::format("cohesion falls to {} Pa", number(*ground.residual_cohesion)));
+  if (ground.residual_friction_angle) {
+    falls.push_back(fmt::format("friction angle falls to {} deg", number(*ground.residual_friction_angle)));
+    if (ground.dilation_angle > 0) falls.push_back("dilation ends");
+  }
+  return fmt::format("{}: {}, at first over a slip of {} m across a band", ground.name, fmt::join(falls, ", "),
+                     number(ground.softening_displacement));
+}
+
 }  // namespace
 
 std::string explain(const MpsCase& mps) {
@@ -37,9 +49,7 @@ std::string explain(const MpsCase& mps) {
                                ground.name, number(ground.cohesion), number(ground.friction_angle), number(ground.dilation_angle),
                                cut_off_text(ground.tensile_strength), number(ground.rupture_strain)));
   for (const Ground& ground : mps.materials)
-    if (ground.softens())
-      text += line("strength", fmt::format("{}: cohesion falls to {} Pa, at first over a slip of {} m across a band", ground.name,
-                                           number(*ground.residual_cohesion), number(ground.softening_displacement)));
+    if (ground.softens()) text += line("strength", softening_text(ground));
   if (mps.damping.f2 > 0) text += line("damping", fmt::format("at {} and {} Hz", number(mps.damping.f1), number(mps.damping.f2)));
   text += explain_gravity(mps.gravity.acceleration);
   text += explain_motions(mps.motions, mps.time.end);

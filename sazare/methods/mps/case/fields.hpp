@@ -99,7 +99,8 @@ void visit_fields(Visitor& visit, Ground& ground) {
   visit("tensile_strength", ground.tensile_strength);
   visit("rupture_strain", ground.rupture_strain);
   visit("residual_cohesion", ground.residual_cohesion);
-  if (visit.has("softening_displacement", ground.residual_cohesion.has_value()))
+  visit("residual_friction_angle", ground.residual_friction_angle);
+  if (visit.has("softening_displacement", ground.residual_cohesion || ground.residual_friction_angle))
     visit("softening_displacement", ground.softening_displacement);
 }
 

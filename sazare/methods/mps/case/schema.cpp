@@ -176,11 +176,19 @@ constexpr std::array own_material_keys{
         .usual = usual::strength,
         .note = "only with a cohesion, and with a softening_displacement; default: the cohesion stays",
         .sentence = "Cohesion to which that of ground that yields falls; the tensile strength falls with it."},
+    Key{.name = "residual_friction_angle",
+        .type = Type::number,
+        .unit = "deg",
+        .range = {.low = 0, .high = 60},
+        .note = "only with a cohesion, and with a softening_displacement; default: friction and dilation stay",
+        .sentence =
+            "Angle of friction to which that of ground that yields falls; its dilation ends with it. Ground that has broken "
+            "has this friction."},
     Key{.name = "softening_displacement",
         .type = Type::number,
         .unit = "m",
         .range = positive,
-        .note = "required with a residual_cohesion",
+        .note = "required with a residual_cohesion or a residual_friction_angle",
         .sentence =
             "Slip across a shear band over which the strength would fall to the residual one at the rate at which it begins to; "
             "it does not depend on the spacing."},

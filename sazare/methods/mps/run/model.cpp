@@ -44,20 +44,15 @@ std::vector<laws::OverlayPart> parts_of(const cases::Ground& ground) {
   return laws::OverlayModel<4>({ground.shear_modulus(), 0}, cases::backbone_of(ground, ground.shear_modulus())).parts();
 }
 
-laws::MohrCoulomb peak_of(const cases::Ground& ground) {
-  constexpr Real degree = std::numbers::pi / 180;
-  return laws::MohrCoulomb::make(ground.cohesion, ground.friction_angle * degree, ground.dilation_angle * degree,
-                                 ground.tensile_strength);
-}
-
-template <int D>
-methods::mps::StrengthOfGround strength_of(const cases::Ground& ground, const methods::mps::LinkTable<D>& links) {
+methods::mps::StrengthOfGround strength_of(const cases::Ground& ground, const SofteningPlace& place) {
   const Real mu = ground.shear_modulus();
-  methods::mps::StrengthOfGround strength{
-      ground.yields,  peak_of(ground),       {mu, ground.density * ground.p_wave_velocity * ground.p_wave_velocity - 2 * mu},
-      ground.density, ground.rupture_strain, parts_of(ground)};
-  if (ground.softens()) strength.softening = {*ground.residual_cohesion, band_of<D>(ground, links).strain()};
-  return strength;
+  return {ground.yields,
+          peak_strength(ground),
+          {mu, ground.density * ground.p_wave_velocity * ground.p_wave_velocity - 2 * mu},
+          ground.density,
+          ground.rupture_strain,
+          parts_of(ground),
+          softening_of(ground, place)};
 }
 
 /// Adds random velocities, which do not depend on the number of threads.
@@ -88,55 +83,6 @@ void check_limit(const cases::CaseFile& file, Real limit) {
     refuse(file, "materials",
            "no stability limit follows from the materials and the spacing: a frequency of the ground is not a number",
            "one of density, wave velocities, damping and spacing is too large or too small to be meant so: check their units");
-}
-
-/// Warns of ground in which a shear band that softens has no room: its strength falls far too slowly then.
-template <int D>
-std::string warn_of_wide_bands(const cases::CaseFile& file, const MpsParts<D>& parts) {
-  constexpr Real share_of_height = 0.25;
-  const auto [low, high] =
-      std::ranges::minmax_element(parts.filling.sites, {}, [](const methods::mps::Site<D>& site) { return site[D - 1]; });
-  if (low == parts.filling.sites.end()) return {};
-  const Real spacing = parts.particles.spacing, height = spacing * ((*high)[D - 1] - (*low)[D - 1] + 1);
-  const auto& materials = file.as<cases::MpsCase>().materials;
-  for (std::size_t i = 0; i < materials.size(); ++i) {
-    if (!materials[i].softens()) continue;
-    const Real width = band_of<D>(materials[i], parts.links).width();
-    if (width <= share_of_height * height) continue;
-    const Real narrower = share_of_height * height / width;  // the width goes by the spacing to 2/3
-    return warning(file, fmt::format("materials.{}.softening_displacement", i),
-                   fmt::format("a shear band of \"{}\" would be {} m wide, in ground {} m high: it has hardly room to soften",
-                               materials[i].name, cases::short_number(width, 3), cases::short_number(height, 3)),
-                   fmt::format("with a spacing of {} m it would be a quarter as wide as the ground is high",
-                               cases::short_number(spacing * narrower * std::sqrt(narrower), 2)));
-  }
-  return {};
-}
-
-/// Refuses softening that the particles do not resolve, and ground that breaks before it has softened.
-template <int D>
-void check_softening(const cases::CaseFile& file, const MpsParts<D>& parts) {
-  const auto& materials = file.as<cases::MpsCase>().materials;
-  for (std::size_t i = 0; i < materials.size(); ++i) {
-    if (!materials[i].softens()) continue;
-    const methods::mps::SofteningBand band = band_of<D>(materials[i], parts.links);
-    const Real spacing = parts.particles.spacing, largest = band.largest_spacing(spacing);
-    if (spacing > largest)
-      refuse(file, fmt::format("materials.{}.softening_displacement", i),
-             fmt::format(
-                 "particles of {} m do not resolve the softening of \"{}\" over {} m: its band would be {} m wide, less than "
-                 "6.3 spacings, and the strength would snap back",
-                 cases::short_number(spacing), materials[i].name, cases::short_number(band.displacement),
-                 cases::short_number(band.width(), 3)),
-             fmt::format("a spacing of {} m or less would do, or a softening_displacement of {} m or more",
-                         cases::short_number(largest, 3), cases::short_number(band.displacement * spacing / largest, 3)));
-    if (materials[i].rupture_strain < band.strain())
-      refuse(
-          file, fmt::format("materials.{}.rupture_strain", i),
-          fmt::format("\"{}\" breaks at a plastic shear strain of {}, before its cohesion has fallen, at {}", materials[i].name,
-                      cases::short_number(materials[i].rupture_strain, 3), cases::short_number(band.strain(), 3)),
-          "give a larger rupture_strain; 1e9 where the ground shall not break");
-  }
 }
 
 /// The step of a run, which divides the history interval, or the shorter windows of a coupling.
@@ -180,16 +126,9 @@ std::string check_step(const cases::CaseFile& file, const MpsModel<D>& model) {
 
 }  // namespace
 
-template <int D>
-methods::mps::SofteningBand band_of(const cases::Ground& ground, const methods::mps::LinkTable<D>& links) {
-  return {methods::mps::drop_of_strength(peak_of(ground), ground.residual_cohesion.value_or(ground.cohesion)),
-          ground.shear_modulus(), ground.softening_displacement, methods::mps::square_of_reach<D>(links)};
-}
-
-template <int D>
-std::vector<methods::mps::StrengthOfGround> strengths_of(const cases::MpsCase& mps, const methods::mps::LinkTable<D>& links) {
+std::vector<methods::mps::StrengthOfGround> strengths_of(const cases::MpsCase& mps, const SofteningPlace& place) {
   std::vector<methods::mps::StrengthOfGround> grounds;
-  for (const cases::Ground& ground : mps.materials) grounds.push_back(strength_of<D>(ground, links));
+  for (const cases::Ground& ground : mps.materials) grounds.push_back(strength_of(ground, place));
   return grounds;
 }
 
@@ -233,7 +172,9 @@ std::unique_ptr<particles::ParticleForces<D>> MpsParts<D>::forces(const cases::M
   methods::mps::LooseRules rules{.step = step, .damping_ratio = mps.contact.damping_ratio, .period = {}};
   for (std::size_t axis = 0; axis < D; ++axis) rules.period[axis] = period[axis] * particles.spacing;
   return std::make_unique<methods::mps::FailingForces<D>>(
-      particles, links, methods::mps::GroundStrength<D>(particles, links, strengths_of<D>(mps, links), material), rules);
+      particles, links,
+      methods::mps::GroundStrength<D>(particles, links, strengths_of(mps, softening_place<D>(mps, links, filling)), material),
+      rules);
 }
 
 template <int D>
@@ -269,7 +210,8 @@ template <int D>
 MpsModel<D> build_mps(const cases::CaseFile& file, const std::optional<MpsCoupling>& coupling) {
   const auto& mps = file.as<cases::MpsCase>();
   const MpsParts<D> parts = make_parts<D>(file);
-  check_softening<D>(file, parts);
+  const SofteningPlace softening = softening_place<D>(mps, parts.links, parts.filling);
+  check_softening(file, softening);
   const SideParts<D> beside = make_side_parts<D>(file, parts);
   MpsModel<D> model;
   model.limit = beside.predict(parts.predict());
@@ -280,7 +222,7 @@ MpsModel<D> build_mps(const cases::CaseFile& file, const std::optional<MpsCoupli
   model.material = parts.material;
   model.sides = parts.sides;
   model.step = choose_step<D>(file, model, coupling);
-  model.warning = check_step<D>(file, model) + warn_of_coarse_slopes<D>(file, parts.filling) + warn_of_wide_bands<D>(file, parts);
+  model.warning = check_step<D>(file, model) + warn_of_coarse_slopes<D>(file, parts.filling) + warn_of_softening(file, softening);
   if (!coupling) model.warning += warn_of_loose_parts<D>(file, parts);  // else the surface may hold them
   std::unique_ptr<particles::ParticleForces<D>> forces = parts.forces(mps, model.step);
   model.failing = dynamic_cast<const methods::mps::FailingForces<D>*>(forces.get());
@@ -303,10 +245,6 @@ MpsModel<D> build_mps(const cases::CaseFile& file, const std::optional<MpsCoupli
   return model;
 }
 
-template methods::mps::SofteningBand band_of<2>(const cases::Ground&, const methods::mps::LinkTable<2>&);
-template methods::mps::SofteningBand band_of<3>(const cases::Ground&, const methods::mps::LinkTable<3>&);
-template std::vector<methods::mps::StrengthOfGround> strengths_of<2>(const cases::MpsCase&, const methods::mps::LinkTable<2>&);
-template std::vector<methods::mps::StrengthOfGround> strengths_of<3>(const cases::MpsCase&, const methods::mps::LinkTable<3>&);
 template struct MpsParts<2>;
 template struct MpsParts<3>;
 template MpsParts<2> lay_out<2>(const cases::MpsCase&, Filling<2>, const Site<2>&);

@@ -12,7 +12,7 @@
 #include "sazare/methods/mps/free_field.hpp"
 #include "sazare/methods/mps/ground_at_surface.hpp"
 #include "sazare/methods/mps/run/filling.hpp"
-#include "sazare/methods/mps/softening.hpp"
+#include "sazare/methods/mps/run/softening_ground.hpp"
 #include "sazare/methods/mps/stable_step.hpp"
 #include "sazare/particles/uniform_stepper.hpp"
 
@@ -50,8 +50,7 @@ struct MpsModel {
 };
 
 /// What the particles of each material of a case are made of.
-template <int D>
-std::vector<methods::mps::StrengthOfGround> strengths_of(const cases::MpsCase& mps, const methods::mps::LinkTable<D>& links);
+std::vector<methods::mps::StrengthOfGround> strengths_of(const cases::MpsCase& mps, const SofteningPlace& place);
 
 /// What a model is made of, before a step is chosen.
 template <int D>
@@ -79,21 +78,10 @@ MpsParts<D> lay_out(const cases::MpsCase& mps, Filling<D> filling, const methods
 template <int D>
 MpsParts<D> make_parts(const cases::CaseFile& file);
 
-/// What the band to which the shear of a ground goes is like, of a ground that softens.
-template <int D>
-methods::mps::SofteningBand band_of(const cases::Ground& ground, const methods::mps::LinkTable<D>& links);
-
-extern template methods::mps::SofteningBand band_of<2>(const cases::Ground&, const methods::mps::LinkTable<2>&);
-extern template methods::mps::SofteningBand band_of<3>(const cases::Ground&, const methods::mps::LinkTable<3>&);
-
 /// Builds the model and chooses the step, or throws UserError when the one given is above the predicted limit.
 template <int D>
 MpsModel<D> build_mps(const cases::CaseFile& file, const std::optional<MpsCoupling>& coupling = std::nullopt);
 
-extern template std::vector<methods::mps::StrengthOfGround> strengths_of<2>(const cases::MpsCase&,
-                                                                            const methods::mps::LinkTable<2>&);
-extern template std::vector<methods::mps::StrengthOfGround> strengths_of<3>(const cases::MpsCase&,
-                                                                            const methods::mps::LinkTable<3>&);
 extern template struct MpsParts<2>;
 extern template struct MpsParts<3>;
 extern template MpsParts<2> lay_out<2>(const cases::MpsCase&, Filling<2>, const methods::mps::Site<2>&);

@@ -143,32 +143,19 @@ std::string cost_text(const cases::MpsCase& mps, Real particles, const RunClocks
                          clocks);
 }
 
-/// What the spacing makes of softening.
-template <int D>
-std::string softening_lines(const cases::MpsCase& mps, const MpsModel<D>& model) {
-  std::string text;
-  for (const cases::Ground& ground : mps.materials) {
-    if (!ground.softens()) continue;
-    const methods::mps::SofteningBand band = band_of<D>(ground, *model.links);
-    text += line("softening", fmt::format("{}: to a plastic shear strain of {}, in a band {} m wide; spacing at most {} m",
-                                          ground.name, number(band.strain(), 3), number(band.width(), 3),
-                                          number(band.largest_spacing(model.filling.spacing), 3)));
-  }
-  return text;
-}
-
 template <int D>
 std::string check(const cases::CaseFile& file, const std::optional<MpsCoupling>& coupling) {
   const MpsModel<D> model = build_mps<D>(file, coupling);
   gauge_particles<D>(file, model.filling);
-  const RunClocks clocks = make_clocks(file, file.as<cases::MpsCase>().time, "step", model.step);
-  const Real limit = model.stable_step(file.as<cases::MpsCase>().time);
+  const auto& mps = file.as<cases::MpsCase>();
+  const RunClocks clocks = make_clocks(file, mps.time, "step", model.step);
+  const Real limit = model.stable_step(mps.time);
   const auto particles = static_cast<Real>(model.filling.sites.size());
   return cases::explain(file.as<cases::MpsCase>()) +
          line("body", fmt::format("{} particles, number density {}, {}", model.filling.sites.size(),
                                   number(model.number_density, 6), words_of_freedoms<D>(model.stepper->supports()))) +
          second_look<D>(file.as<cases::MpsCase>(), model.stepper->particles()) + side_lines(model) +
-         softening_lines<D>(file.as<cases::MpsCase>(), model) +
+         softening_lines(mps, softening_place<D>(mps, *model.links, model.filling)) +
          line("stability", fmt::format("{}, predicted from the largest frequency, {} rad/s, and the damping",
                                        cases::limit_text(limit, 5), number(model.limit.frequency, 6))) +
          line("step", fmt::format("{} s, {} of the limit, {} per history row", number(model.step, 5),

@@ -31,7 +31,10 @@ cases::CaseFile with_strength(const cases::CaseFile& file, const std::optional<R
     const ReducedStrength reduced =
         ReducedStrength{ground.cohesion, ground.friction_angle, ground.dilation_angle, ground.tensile_strength}.over(*factor);
     ground.cohesion = reduced.cohesion;
-    if (ground.residual_cohesion) *ground.residual_cohesion /= *factor;
+    const ReducedStrength residual =
+        ReducedStrength{ground.residual_cohesion.value_or(0), ground.residual_friction_angle.value_or(0), 0, {}}.over(*factor);
+    if (ground.residual_cohesion) ground.residual_cohesion = residual.cohesion;
+    if (ground.residual_friction_angle) ground.residual_friction_angle = residual.friction_angle;
     ground.friction_angle = reduced.friction_angle;
     ground.dilation_angle = reduced.dilation_angle;
     ground.tensile_strength = reduced.tensile_strength;
@@ -91,7 +94,7 @@ public:
     model_ = build_mps<D>(changed);
     RunOptions options;
     options.quiet = true;
-    options.stop_asked = rules.stop_asked;
+    options.stop = rules.stop;
     StrengthTrial trial;
     const state::Particles<D>& particles = model_->stepper->particles();
     DisplacementWatch watch(rules.most_displacement);
