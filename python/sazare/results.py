@@ -67,6 +67,12 @@ class Results:
         """The headline figures by name: manifest["results"]."""
         return self.manifest.get("results", {})
 
+    @property
+    def state_hash(self):
+        """The hash of the final state; "" where there is none: a study, which has no state, and a run before its end write zeros."""
+        written = self.manifest.get("state_hash", "")
+        return written if written.strip("0") else ""
+
     @cached_property
     def case_text(self):
         """The resolved case, as text; "" where there is none."""

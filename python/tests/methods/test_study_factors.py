@@ -5,6 +5,7 @@ import json
 import numpy as np
 import pytest
 
+from sazare.comparison import compare
 from sazare.methods import study_factors
 from sazare.report import write_report
 from sazare.results import open_run
@@ -38,6 +39,15 @@ def test_report_has_the_factors_and_their_pictures(factor_study):
     assert f"The smallest factor of safety is {1.375:.3g}." in page
     assert "1.63" in page and "12000" in page
     assert sorted(path.stem for path in (factor_study / "report").glob("*.png")) == ["displacements", "slip"]
+
+
+def test_a_study_has_neither_a_state_nor_a_case_file(factor_study):
+    manifest = json.loads((factor_study / "manifest.json").read_text())
+    (factor_study / "manifest.json").write_text(json.dumps({**manifest, "state_hash": "0000000000000000", "sazare": "0.1.0"}))
+    page = write_report(factor_study).read_text()
+    assert "<td>0.1.0 (unknown)</td>" in page
+    assert "state hash" not in page and "no case file" not in page
+    assert compare(factor_study, factor_study).same_bits is None
 
 
 def test_trials_that_failed_are_crosses(factor_study):
