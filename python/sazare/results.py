@@ -135,7 +135,8 @@ class Results:
     @cached_property
     def study(self):
         """study.csv: a row for each case of a study, with its parameters; of time steps predicted, stable, unstable, limit; of factors of
-        safety lower, upper, factor, displacement, elastic."""
+        safety lower, upper, factor, displacement, elastic. The factor is nan where the bounds of the search do not bracket it: lower is
+        then 0 where the ground failed with every factor, and upper inf where it stood with every one."""
         return self._table("study.csv")
 
     def trials(self, case):
