@@ -48,7 +48,7 @@ def compare(first, second):
     first, second = (run if isinstance(run, Results) else open_run(run) for run in (first, second))
     common = [name for name in first.figures if name in second.figures and name not in OF_THE_MACHINE]
     peaks = [run.figures.get("ppv", {}) for run in (first, second)]
-    hashes = [run.manifest.get("state_hash") for run in (first, second)]
+    hashes = [run.state_hash for run in (first, second)]
     return Comparison(
         {name: (first.figures[name], second.figures[name]) for name in common if _are_numbers(first, second, name)},
         {gauge: (peaks[0][gauge], peaks[1][gauge]) for gauge in peaks[0] if gauge in peaks[1]},

@@ -40,7 +40,7 @@ def _facts(results):
         ("steps", style.count(figures["steps"]) if "steps" in figures else None),
         ("smallest step", style.quantity(figures["smallest_step"], "s") if "smallest_step" in figures else None),
         ("pair evaluations", style.count(figures["pair_evaluations"]) if "pair_evaluations" in figures else None),
-        ("state hash", manifest.get("state_hash")),
+        ("state hash", results.state_hash),
     ]
     return [(name, value) for name, value in rows if value]
 
@@ -80,6 +80,7 @@ def _page(results, sections):
         gauges=[(gauge.name, style.quantity(gauge.ppv, "m/s")) for gauge in gauges],
         sheets=sheets,
         case_text=results.case_text,
+        has_case=method_of(results).has_case,
         view=view,
         viewer=view3d.viewer_script() if view else "",
     )

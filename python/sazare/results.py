@@ -67,6 +67,12 @@ class Results:
         """The headline figures by name: manifest["results"]."""
         return self.manifest.get("results", {})
 
+    @property
+    def state_hash(self):
+        """The hash of the final state; "" where there is none: a study, which has no state, and a run before its end write zeros."""
+        written = self.manifest.get("state_hash", "")
+        return written if written.strip("0") else ""
+
     @cached_property
     def case_text(self):
         """The resolved case, as text; "" where there is none."""
@@ -129,7 +135,8 @@ class Results:
     @cached_property
     def study(self):
         """study.csv: a row for each case of a study, with its parameters; of time steps predicted, stable, unstable, limit; of factors of
-        safety lower, upper, factor, displacement, elastic."""
+        safety lower, upper, factor, displacement, elastic. The factor is nan where the bounds of the search do not bracket it: lower is
+        then 0 where the ground failed with every factor, and upper inf where it stood with every one."""
         return self._table("study.csv")
 
     def trials(self, case):

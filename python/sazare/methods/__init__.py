@@ -102,6 +102,7 @@ class Method:
     moving: a function of Results that yields (time [s], figure) of every snapshot, of a method whose own snapshots the movie cannot draw.
     tables: a function of Results that returns the tables written beside the report: name of the file -> columns, as `write_table` takes them;
         one without columns is not written.
+    has_case: whether what it writes belongs to one case, whose text is in the folder.
     """
 
     sections: Callable[[Any], list[Section]]
@@ -115,6 +116,7 @@ class Method:
     colors: Any = field(default_factory=lambda: style.SPEED)
     moving: Callable[[Any], Iterator[tuple[float, Any]]] | None = None
     tables: Callable[[Any], dict[str, dict]] = lambda _: {}
+    has_case: bool = True
 
 
 def method_named(name):

@@ -210,4 +210,5 @@ METHOD = Method(
     verdict=verdict,
     sheets=lambda results: study_factors.sheets(results) if _seeks_factors(results) else [],
     headlines=(Figure("cases", "cases", note=common.count_note("cases_done", "complete")),),
+    has_case=False,
 )
