@@ -65,7 +65,7 @@ def strip(case, spacing, folder):
         elastic = (ends > 0.75) & (ends < 2.25)
         stress = abs(np.asarray(grid["shear_stress"])[elastic, 0].mean())
         along = np.asarray(grid["displacement"])[:, 0]
-        moved = np.ptp(along[(start < 1e-6) | (start > HEIGHT - 1e-6)])
+        moved = abs(along[start.argmax()] - along[start.argmin()])
         plastic = np.interp(snapshot.time, run.history["time"], run.history["energy_plastic"])
         rows.append((moved - stress * HEIGHT / MODULUS, stress, plastic / (2.0 * spacing)))
     residual = abs(run.history["energy_residual"][-1]) / run.history["energy_work_boundary"][-1]
