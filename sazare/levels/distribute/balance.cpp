@@ -44,6 +44,18 @@ std::vector<Real> spread(const Owners& owners, NumberOf&& number_of) {
   return by_body;
 }
 
+/// Of each body, the last interval's time of its rank over the number of the rank's bodies.
+std::vector<Real> evenly_over_ranges(const Owners& owners, const std::vector<Work>& work) {
+  return spread(owners, [&](int rank) { return work[at(rank)].total() / std::max<Real>(1, owners.size(rank)); });
+}
+
+/// Ranges with the same sum of N_e - i, the most contacts that body i can have with those behind it.
+Owners cut_by_most_contacts(const Owners& now) {
+  std::vector<Real> most(at(now.bodies()));
+  for (std::size_t i = 0; i < most.size(); ++i) most[i] = static_cast<Real>(most.size() - i);
+  return cut_evenly(most, now.ranks());
+}
+
 /// The dearest rank's cost over the mean, less one.
 Real excess(const Owners& owners, const std::vector<Real>& cost) {
   Real dearest = 0;
@@ -111,7 +123,10 @@ Owners Balance::first(const Owners& now, const Outlook& outlook) {
   switch (policy_) {
     case Policy::fixed:
     case Policy::measured:
+    case Policy::printed:
       return now;
+    case Policy::printed_fixed:
+      return cut_by_most_contacts(now);
     case Policy::predicted: {
       std::vector<Real> cost(at(now.bodies()), 0);
       for (const std::vector<Real>& kind : outlook.due)
@@ -128,10 +143,14 @@ Owners Balance::first(const Owners& now, const Outlook& outlook) {
 Owners Balance::next(const Owners& now, const std::vector<Work>& work, const Outlook& outlook) {
   switch (policy_) {
     case Policy::fixed:
+    case Policy::printed_fixed:
       return now;
     case Policy::measured:
-      smooth(cost_, spread(now, [&](int rank) { return work[at(rank)].total() / std::max<Real>(1, now.size(rank)); }));
+      smooth(cost_, evenly_over_ranges(now, work));
       return cut_curve(now);
+    case Policy::printed:
+      cost_ = evenly_over_ranges(now, work);
+      return sum_of(cost_) > 0 ? cut_evenly(cost_, now.ranks()) : now;
     case Policy::predicted:
       predict(now, work, outlook.due);
       return cut_curve(now);

@@ -13,17 +13,20 @@
 namespace sazare::distribute {
 
 enum class Policy {
-  fixed,      ///< one range with an equal number of bodies for each rank, for good
-  measured,   ///< ranges with equal shares of the time of the last interval, spread evenly over each range [Konno2018], 3.2
-  predicted,  ///< ranges: evaluations due in the next interval times their measured costs, corrected by the last prediction's
-              ///< error
-  by_level,   ///< the same work at every time level for each rank, in pieces along the curve
-  graph,      ///< the same work at every time level for each rank, with few links between ranks, by METIS
-  random,     ///< owners drawn anew each time: a trial of what ranks tell each other
+  fixed,          ///< one range with an equal number of bodies for each rank, for good
+  measured,       ///< ranges with equal shares of the time of the last interval, spread evenly over each range [Konno2018], 3.2
+  predicted,      ///< ranges: evaluations due in the next interval times their measured costs, corrected by the last prediction's
+                  ///< error
+  by_level,       ///< the same work at every time level for each rank, in pieces along the curve
+  graph,          ///< the same work at every time level for each rank, with few links between ranks, by METIS
+  random,         ///< owners drawn anew each time: a trial of what ranks tell each other
+  printed,        ///< as `measured`, but as it is printed: each interval alone decides, whatever its noise
+  printed_fixed,  ///< one range for each rank for good, with the same sum of N_e - i over its bodies i [Konno2018], 4.4
 };
 
 /// Words for policies, in their order.
-inline constexpr std::array<std::string_view, 6> policy_names = {"fixed", "measured", "predicted", "by_level", "graph", "random"};
+inline constexpr std::array<std::string_view, 8> policy_names = {"fixed", "measured", "predicted", "by_level",
+                                                                 "graph", "random",   "printed",   "printed_fixed"};
 
 inline std::string_view name_of(Policy policy) { return policy_names[static_cast<std::size_t>(policy)]; }
 

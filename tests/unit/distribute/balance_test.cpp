@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "sazare/levels/distribute/balance.hpp"
@@ -49,6 +50,31 @@ Real imbalance_after(Policy policy, int intervals, const std::vector<Real>& due)
 TEST(balance, fixed_owners_stay) { EXPECT_NEAR(imbalance_after(Policy::fixed, 5, {}), (3000 + 150.0) / 250, 1e-9); }
 
 TEST(balance, measured_times_make_ranges_of_equal_cost) { EXPECT_LT(imbalance_after(Policy::measured, 12, {}), 1.5); }
+
+/// 4 ranks of 250 bodies took 3150, 250, 250 and 250: a quarter of that are 77.38 bodies of the first, twice and three times as
+/// many, and the last takes what is left.
+TEST(balance, as_printed_cuts_at_equal_shares_of_the_last_interval) {
+  Balance balance(Policy::printed);
+  Owners owners = balance.next(cut_equally(bodies, 4), work_of(cut_equally(bodies, 4)), {});
+  EXPECT_EQ(owners.size(0), 77);
+  EXPECT_EQ(owners.size(1), 78);
+  EXPECT_EQ(owners.size(2), 77);
+  EXPECT_EQ(owners.size(3), bodies - 232);
+  // Noise of the clock moves cuts, and an interval without work none.
+  auto work = std::vector<Work>(4, {{1}, {1}});
+  work[1].seconds[0] = 1.01;
+  EXPECT_FALSE(Balance(Policy::printed).next(cut_equally(bodies, 4), work, {}) == cut_equally(bodies, 4));
+  EXPECT_TRUE(balance.next(owners, std::vector<Work>(4, {{0}, {0}}), {}) == owners);
+}
+
+/// N (N + 1)/2 in four parts: the first bodies up to i have N^2/2 (1 - (1 - i/N)^2).
+TEST(balance, as_printed_and_fixed_shares_out_the_most_contacts) {
+  Balance balance(Policy::printed_fixed);
+  const Owners owners = balance.first(cut_equally(bodies, 4), {});
+  EXPECT_NEAR(owners.size(0), bodies * (1 - std::sqrt(0.75)), 1);
+  EXPECT_NEAR(owners.size(3), bodies * std::sqrt(0.25), 1);
+  EXPECT_TRUE(balance.next(owners, work_of(owners), {}) == owners);
+}
 
 TEST(balance, a_right_prediction_needs_one_interval) {
   std::vector<Real> due(bodies, 1);
