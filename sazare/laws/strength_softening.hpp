@@ -36,7 +36,8 @@ struct StrengthSoftening {
     law.tan_friction = law.sin_friction / law.cos_friction;
     return law;
   }
-  /// What the shear strength of a plane loses in the whole fall under a constant normal stress, of compression [Pa].
+  /// What the shear strength of a plane loses in the whole fall under a constant normal stress, of compression [Pa]. Below 0
+  /// where nothing presses and friction falls alone, since c cos(phi) rises then.
   Real drop(const MohrCoulomb& peak, Real normal_stress) const {
     return peak.shear_strength(normal_stress) - at(peak, 1).shear_strength(normal_stress);
   }

@@ -345,7 +345,7 @@ class Member(Part):
     beams) Greater than 0.
     """
     density: float | None = None
-    """Mass per volume. [kg/m3] (beams and bars; required for beams, where it is above 0) Default: 0.0. At least 0."""
+    """Mass per volume. [kg/m3] (beams and bars; beams require one above 0) Default: 0.0. At least 0."""
     damping_ratio: float | None = None
     """Damping ratio of Rayleigh damping at the two frequencies of [damping]. (beams and bars) Default: 0.0. At least 0 and less
     than 1.

@@ -26,6 +26,7 @@ KINDS = (
 )
 
 GOOD_BALANCE = 1e-3  # of the work; flow and rupture in finite steps leave some 1e-4
+LARGEST_SHEAR_STRAIN = 0.3  # of ground that has not broken: plastic strains are added up, which is exact for small ones only
 MOST_PANELS = 4
 FEWEST_MOVED = 10  # particles, that make a mass
 FLAT, SLENDER = 0.3, 5.0  # height over width below which panels stand one above the other, and above which proportions are not true
@@ -326,6 +327,10 @@ def verdict(results):
         return "bad", f"{words} This is too large for reliable results: use a smaller stability_fraction."
     else:
         tone, words = "good", common.balance_words(share)
+    sheared = results.figures.get("unbroken_shear_strain") or 0.0
+    if sheared > LARGEST_SHEAR_STRAIN:
+        tone = "fair" if tone == "good" else tone
+        words += f" Ground has sheared by {sheared:.2g} without breaking: above {LARGEST_SHEAR_STRAIN} it is too weak and loses volume. Give a smaller rupture_strain."
     limit, step = results.figures.get("predicted_limit"), results.figures.get("step")
     return tone, words + (f" The time step is {step / limit:.2f} of the predicted stability limit." if limit and step else "")
 

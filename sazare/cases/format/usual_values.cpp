@@ -19,8 +19,8 @@ bool is_usual(const UsualRange& range, Real number) {
 
 /// "2.39 g/cm3 would be 2390": every unit of the field in which the number would be a usual one.
 std::string units_that_explain(const Key& key, Real number) {
-  constexpr std::array units{"g/cm3", "kPa", "MPa", "GPa", "MPa/m", "GPa/m", "MPa/mm", "N/mm", "kJ/m2",
-                             "km/s",  "ms",  "us",  "mm",  "rad",   "%",     "cm/s2",  "mm/s2"};
+  constexpr std::array units{"g/cm3", "kPa", "MPa", "GPa",   "MPa/m", "GPa/m", "MPa/mm", "N/mm", "kJ/m2", "km/s", "ms",  "us",
+                             "mm",    "rad", "%",   "cm/s2", "mm/s2", "cm2",   "mm2",    "cm4",  "mm4",   "kN",   "kN m"};
   std::string text;
   for (const char* const unit : units) {
     const auto in_unit = converted({number, unit}, key.unit);

@@ -33,6 +33,9 @@ inline constexpr UsualRange detonation_velocity{1000, 10e3};  // [m/s]
 inline constexpr UsualRange crack_aperture{1e-6, 1e-3};       // [m]
 inline constexpr UsualRange explosive_energy{0.5e6, 10e6};    // [J/kg]
 inline constexpr UsualRange hole_diameter{1e-3, 2};           // [m]
+inline constexpr UsualRange section_area{1e-6, 20};           // [m2]
+inline constexpr UsualRange second_moment{1e-12, 100};        // [m4]
+inline constexpr UsualRange member_force{200, 1e9};           // and moment of a member at yield [N, N m]
 
 }  // namespace usual
 

@@ -64,6 +64,13 @@ std::string read_geometry(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+/// Gmsh leaves out a last line without an end.
+void check_last_line(const MeshRequest& request, const std::string& text) {
+  if (text.find_first_not_of(" \t\r", text.rfind('\n') + 1) != std::string::npos)
+    throw UserError(fmt::format("{}: the last line does not end, and gmsh leaves it out. Add a line break at the end of the file",
+                                request.geometry.string()));
+}
+
 /// Gmsh ignores a number it was not asked for; a wrong name must not pass in silence.
 void check_parameters(const MeshRequest& request, const std::string& text) {
   const bool has_other_files = holds_word(text, "Include") || holds_word(text, "Merge");
@@ -248,7 +255,9 @@ void check_end(const MeshRequest& request, const fs::path& output) {
 
 void mesh_geometry(const MeshRequest& request) {
   if (!geometries_are_trusted()) refuse_what_reaches_outside(request.geometry);
-  check_parameters(request, read_geometry(request.geometry));
+  const std::string text = read_geometry(request.geometry);
+  check_last_line(request, text);
+  check_parameters(request, text);
   std::error_code error;
   const fs::path folder = fs::absolute(request.mesh).parent_path();
   fs::create_directories(folder, error);

@@ -52,6 +52,7 @@ public:
 
   FreeFieldSide<D> make(Index boundary) {
     check_joints();
+    check_surface();
     if constexpr (D == 3) check_rectangle();
     FreeFieldSide<D> side;
     side.boundary = boundary;
@@ -149,6 +150,20 @@ private:
             if (nodes.contains(node))
               throw UnfitSide(fmt::format("the joint \"{}\" reaches {}, and the column beside it has none", set.name, name()),
                               "end the joint inside the body, or move the side");
+  }
+
+  /// Ground above the faces of a side would be missing from its column.
+  void check_surface() const {
+    const auto in_plane = [&](Index node) { return std::abs(mesh_.nodes[at(node)][plane_.across] - plane_.place) < tolerance(); };
+    const auto above = [&](Index node) { return mesh_.nodes[at(node)][up] - height_.high; };
+    for (const MeshElement& element : mesh_.elements) {
+      const auto nodes = element.node_list();
+      const auto is_top = [&](Index node) { return in_plane(node) && std::abs(above(node)) < tolerance(); };
+      const auto is_higher = [&](Index node) { return in_plane(node) && above(node) >= tolerance(); };
+      if (std::ranges::any_of(nodes, is_top) && std::ranges::any_of(nodes, is_higher))
+        throw UnfitSide(fmt::format("{} ends at an elevation of {:.6g} m, and the mesh goes on above it", name(), height_.high),
+                        "give the group all faces of the side, from the base to the surface");
+    }
   }
 
   /// In space a side is as wide everywhere as its widest place.

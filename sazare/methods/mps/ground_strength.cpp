@@ -239,6 +239,12 @@ Rotation<D> GroundStrength<D>::plastic(Index particle) const {
 }
 
 template <int D>
+Real GroundStrength<D>::plastic_shear(Index particle) const {
+  const Eigen::SelfAdjointEigenSolver<Rotation<D>> solver(plastic(particle), Eigen::EigenvaluesOnly);
+  return solver.eigenvalues()[D - 1] - solver.eigenvalues()[0];
+}
+
+template <int D>
 Rotation<D> GroundStrength<D>::stress(const state::Particles<D>& particles, const Tensors<D>& stretch, Index particle) const {
   const std::size_t i = at(particle);
   if (inverse_[0][i] == 0) return Rotation<D>::Zero();

@@ -67,6 +67,8 @@ public:
 
   /// e_p of a particle [-].
   Rotation<D> plastic(Index particle) const;
+  /// Engineering shear strain of e_p: the difference of its largest and its smallest part [-].
+  Real plastic_shear(Index particle) const;
   /// What `flow` has added to e_p of the particles that have flowed [-].
   const Tensors<D>& last_flow() const { return last_flow_; }
 

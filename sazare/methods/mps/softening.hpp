@@ -80,7 +80,7 @@ struct Softening {
   /// The band under a normal stress, of compression [Pa].
   SofteningBand under(const laws::MohrCoulomb& peak, Real normal_stress) const {
     SofteningBand at_stress = band;
-    at_stress.drop = law.drop(peak, std::max(normal_stress, Real{0}));
+    at_stress.drop = std::max(law.drop(peak, std::max(normal_stress, Real{0})), Real{0});
     return at_stress;
   }
   /// k_r of ground whose strength now is `present` and whose larger and smaller principal stress have this mean, positive in

@@ -178,6 +178,14 @@ TEST(gmsh_mesher, a_geometry_that_describes_shapes_reaches_gmsh) {
   unsetenv("SAZARE_TRUST_GEOMETRY");
 }
 
+/// Gmsh would leave out what stands there.
+TEST(gmsh_mesher, a_last_line_without_an_end_is_refused) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file =
+      folder.write("cut.geo", "SetFactory(\"OpenCASCADE\");\nBox(1) = {0, 0, 0, 1, 1, 1};\nPhysical Volume(\"box\") = {1};");
+  EXPECT_WORDS(words_of<UserError>(MeshRequest{file, folder.path() / "cut.msh"}), "the last line does not end");
+}
+
 TEST(gmsh_mesher, missing_program) {
   const TemporaryFolder folder;
   const MeshRequest request{folder.write("box.geo", box), folder.path() / "box.msh", {}, 1, 3, "no-such-gmsh"};

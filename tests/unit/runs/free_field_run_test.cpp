@@ -45,6 +45,49 @@ TEST(free_field_run, refuses_sides_beside_which_no_column_can_stand) {
   EXPECT_NE(floating.find("has no base: nothing carries it along x at 0 m"), std::string::npos) << floating;
 }
 
+/// Rock of 8 m below soil of 6 m; the group "left" has the faces of the rock alone.
+TEST(free_field_run, refuses_a_side_that_ends_below_the_surface) {
+  const TemporaryFolder folder;
+  folder.write("layers.geo", R"(
+Point(1) = {0, 0, 0, 2}; Point(2) = {20, 0, 0, 2}; Point(3) = {20, 8, 0, 2}; Point(4) = {0, 8, 0, 2};
+Point(5) = {20, 14, 0, 2}; Point(6) = {0, 14, 0, 2};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1}; Line(5) = {3, 5}; Line(6) = {5, 6}; Line(7) = {6, 4};
+Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1}; Curve Loop(2) = {-3, 5, 6, 7}; Plane Surface(2) = {2};
+Physical Surface("ground") = {1, 2};
+Physical Curve("base") = {1}; Physical Curve("left") = {4}; Physical Curve("all of it") = {4, 7};
+)");
+  const auto words = [&](const std::string& side) {
+    const auto file = folder.write("case.toml", R"([case]
+title = "side"
+method = "fem"
+[mesh]
+file = "layers.geo"
+dimension = 2
+[[materials]]
+name = "ground"
+regions = ["ground"]
+density = 2000.0
+youngs_modulus = 1e8
+poisson_ratio = 0.3
+[[boundaries]]
+group = ")" + side + R"("
+kind = "free_field"
+[[boundaries]]
+group = "base"
+kind = "fixed"
+[time]
+end = 1.0
+step = 0.01
+history_interval = 0.1
+)");
+    return words_of<UserError>([&] { registry::check_case(registry::read_case(file)); });
+  };
+  const std::string lower = words("left");
+  EXPECT_NE(lower.find("the side at x = 0 m ends at an elevation of 8 m, and the mesh goes on above it"), std::string::npos)
+      << lower;
+  EXPECT_EQ(words("all of it"), "");
+}
+
 TEST(free_field_run, refuses_waves_that_cannot_come_in) {
   const std::string flat = refused(inclined({"incident_wave.angle=40"}));
   EXPECT_NE(flat.find("the critical angle is 32.3 deg"), std::string::npos) << flat;

@@ -61,6 +61,11 @@ TEST(mps_free_field, lets_broken_ground_go) {
   EXPECT_LT(results["peak_displacement"].get<double>(), 100);
 }
 
+TEST(mps_free_field, tells_the_largest_frequency_of_ground_and_columns) {
+  const std::string told = registry::check_case(ground());
+  EXPECT_EQ(told.find("the largest frequency, 0 rad/s"), std::string::npos) << told;
+}
+
 std::string refused(const Settings& settings) {
   return words_of<UserError>([&] { registry::check_case(ground(settings)); });
 }

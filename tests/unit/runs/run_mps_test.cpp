@@ -1,7 +1,10 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <numbers>
 #include <sstream>
 
 #include "sazare/core/error.hpp"
@@ -130,13 +133,13 @@ TEST(run_mps, tells_of_slopes_that_are_too_coarse_to_judge_their_rest) {
 }
 
 /// What `check` says of a layer whose cohesion of 20 kPa falls to 4 kPa, a line a word; mu is 2e7 Pa.
-std::string softening_words(const std::string& spacing, const std::string& softening) {
+std::string softening_words(const std::string& spacing, const std::string& softening,
+                            const std::string& strength = "friction_angle = 0.0\nresidual_cohesion = 4e3\n") {
   const std::string text =
       "[case]\ntitle = \"t\"\nmethod = \"mps\"\n[particles]\nspacing = " + spacing +
       "\n[[regions]]\nname = \"soil\"\nlower = [0.0, 0.0, 0.0]\nupper = [16.0, 16.0, 0.0]\n[[materials]]\nname = \"ground\"\n"
-      "regions = [\"soil\"]\ndensity = 2000.0\ns_wave_velocity = 100.0\np_wave_velocity = 200.0\ncohesion = 20e3\n"
-      "friction_angle = 0.0\nresidual_cohesion = 4e3\n" +
-      softening + "[[boundaries]]\nside = \"bottom\"\nkind = \"fixed\"\n[time]\nend = 0.1\nhistory_interval = 0.01\n";
+      "regions = [\"soil\"]\ndensity = 2000.0\ns_wave_velocity = 100.0\np_wave_velocity = 200.0\ncohesion = 20e3\n" +
+      strength + softening + "[[boundaries]]\nside = \"bottom\"\nkind = \"fixed\"\n[time]\nend = 0.1\nhistory_interval = 0.01\n";
   try {
     return registry::check_case(registry::read_case_text(text, "case.toml"));
   } catch (const UserError& error) {
@@ -158,6 +161,27 @@ TEST(run_mps, tells_of_softening_and_refuses_what_its_particles_do_not_resolve) 
   EXPECT_TRUE(has(coarse, "a spacing of 0.0827 m or less would do, or a softening_displacement of 0.0121 m or more")) << coarse;
   const std::string brittle = softening_words("0.5", "rupture_strain = 0.01\n" + slow);
   EXPECT_TRUE(has(brittle, "breaks at a plastic shear strain of 0.01, before its strength has fallen, at 0.0157")) << brittle;
+}
+
+/// 16 m of 2000 kg/m3 press with 313.9 kPa: the drop is that (sin 40 - sin 30) less the growth of 20 kPa cos(phi).
+TEST(run_mps, tells_of_friction_that_softens_and_where_its_bands_are_too_narrow) {
+  const auto has = [](const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; };
+  const std::string sand = "friction_angle = 40.0\nresidual_friction_angle = 30.0\nrupture_strain = 1e9\n",
+                    weight = "[gravity]\nacceleration = [0.0, -9.81, 0.0]\n";
+  const Real drop = 313.92e3 * (std::sin(40 * std::numbers::pi / 180) - 0.5) -
+                    20e3 * (std::cos(30 * std::numbers::pi / 180) - std::cos(40 * std::numbers::pi / 180));
+  const Real diagonal = (1.5 / std::sqrt(2.0) - 1) / 2,
+             reach = 0.25 * 0.75 * (0.5 + 4 * diagonal) / (0.5 + 2 * diagonal),  // of links in the plane
+      strain = std::cbrt(0.1 * 0.1 * drop / (std::numbers::pi * std::numbers::pi * reach * 2e7));
+  const std::string fine = softening_words("0.5", "softening_displacement = 0.1\n" + weight, sand);
+  EXPECT_TRUE(has(fine, "friction angle falls to 30 deg, at first over a slip of 0.1 m across a band")) << fine;
+  EXPECT_TRUE(has(fine, "under 314 kPa, the weight of the highest ground")) << fine;
+  EXPECT_TRUE(has(fine, fmt::format("to a plastic shear strain of {:.3g}", strain))) << fine;
+  const std::string deep = softening_words("0.5", "softening_displacement = 0.03\n" + weight, sand);
+  EXPECT_TRUE(has(deep, "bands of \"ground\" would be less than 6.3 spacings of 0.5 m wide")) << deep;
+  // Without gravity nothing is known of the pressure, and nothing is refused.
+  const std::string weightless = softening_words("0.5", "softening_displacement = 0.1\n", sand);
+  EXPECT_FALSE(has(weightless, "error") || has(weightless, "6.3 spacings") || has(weightless, "hardly room")) << weightless;
 }
 
 /// A coarse slope in which links break.

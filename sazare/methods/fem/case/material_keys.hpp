@@ -43,6 +43,7 @@ inline constexpr std::array own_material_keys{
     Key{.name = "damping_ratio",
         .type = Type::number,
         .range = {.low = 0, .high = 2},
+        .usual = usual::damping_ratio,
         .default_text = "0.0",
         .sentence = "Damping ratio at the frequencies f1 and f2 of [damping]."},
     Key{.name = "water_table",

@@ -55,6 +55,8 @@ inline constexpr std::array figures = {
     Column{"largest_frequency", "rad/s", "from which the stability limit is predicted"},
     Column{"settlement", "m", "largest displacement to equilibrium under gravity, where found"},
     Column{"broken_links", "-", "of ground with a strength"},
+    Column{"unbroken_shear_strain", "-",
+           "largest plastic shear strain of ground that has not broken; above 0.3 it is not to be relied on"},
     Column{"energy_work_surface", "J", "work of the coupling surface on the ground, of a side of a hybrid case"},
     Column{"energy_surface_contact", "J", "dissipated by friction and dashpots on it"},
     Column{"drift_velocity_NAME", "m/s", "at the end of a motion given by accelerations"},

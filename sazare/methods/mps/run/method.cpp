@@ -15,6 +15,9 @@ namespace sazare::runs {
 
 namespace {
 
+// Of unbroken ground: plastic strains are added up, which is exact for small ones only.
+constexpr Real largest_shear_strain = 0.3;
+
 std::string mps_summary(const observe::Manifest& manifest) {
   const auto number = [&](std::string_view name, int digits = 4) { return figure_text(manifest, name, digits); };
   std::string text;
@@ -22,6 +25,11 @@ std::string mps_summary(const observe::Manifest& manifest) {
              number("predicted_limit"));
   text += fmt::format("peaks           {} m, {} m/s, {} m/s2\n", number("peak_displacement"), number("peak_speed"),
              number("peak_acceleration"));
+  if (figure(manifest, "unbroken_shear_strain") > largest_shear_strain)
+    text += fmt::format(
+        "shear           ground has sheared by {} without breaking; above {} it is too weak, and loses volume: let it "
+        "break before (rupture_strain)\n",
+        number("unbroken_shear_strain", 3), largest_shear_strain);
   return text + wall_time_line(manifest, "particle_steps", "particle-steps");
 }
 

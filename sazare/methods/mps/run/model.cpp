@@ -173,7 +173,8 @@ std::unique_ptr<particles::ParticleForces<D>> MpsParts<D>::forces(const cases::M
   for (std::size_t axis = 0; axis < D; ++axis) rules.period[axis] = period[axis] * particles.spacing;
   return std::make_unique<methods::mps::FailingForces<D>>(
       particles, links,
-      methods::mps::GroundStrength<D>(particles, links, strengths_of(mps, softening_place<D>(mps, links, filling)), material),
+      methods::mps::GroundStrength<D>(particles, links, strengths_of(mps, softening_place<D>(mps, links, filling, material)),
+                                      material),
       rules);
 }
 
@@ -210,7 +211,7 @@ template <int D>
 MpsModel<D> build_mps(const cases::CaseFile& file, const std::optional<MpsCoupling>& coupling) {
   const auto& mps = file.as<cases::MpsCase>();
   const MpsParts<D> parts = make_parts<D>(file);
-  const SofteningPlace softening = softening_place<D>(mps, parts.links, parts.filling);
+  const SofteningPlace softening = softening_place<D>(mps, parts.links, parts.filling, parts.material);
   check_softening(file, softening);
   const SideParts<D> beside = make_side_parts<D>(file, parts);
   MpsModel<D> model;

@@ -203,6 +203,15 @@ void MpsRecord<D>::check_motion(Real time) const {
       cases::short_number(model_->step, 4), cases::short_number(model_->step / limit, 3), cases::short_number(limit, 4)));
 }
 
+/// The largest plastic shear strain of particles with a link to others [-].
+template <int D>
+Real unbroken_shear_strain(const methods::mps::FailingForces<D>& failing, Index particles) {
+  Real largest = 0;
+  for (Index i = 0; i < particles; ++i)
+    if (failing.broken_fraction(i) < 1) largest = std::max(largest, failing.strength().plastic_shear(i));
+  return largest;
+}
+
 template <int D>
 std::vector<std::pair<std::string, observe::Figure>> MpsRecord<D>::results(std::int64_t step, Real wall_seconds) const {
   const auto particles = static_cast<std::int64_t>(model_->filling.sites.size());
@@ -231,6 +240,7 @@ std::vector<std::pair<std::string, observe::Figure>> MpsRecord<D>::results(std::
   if (const auto* failing = model_->failing) {
     const auto work = failing->work();
     results.insert(results.end(), {{"broken_links", static_cast<std::int64_t>(failing->broken_links())},
+                                   {"unbroken_shear_strain", unbroken_shear_strain<D>(*failing, particles)},
                                    {"energy_plastic", work.flow},
                                    {"energy_fracture", work.rupture},
                                    {"energy_contact", work.contact}});

@@ -155,7 +155,7 @@ std::string check(const cases::CaseFile& file, const std::optional<MpsCoupling>&
          line("body", fmt::format("{} particles, number density {}, {}", model.filling.sites.size(),
                                   number(model.number_density, 6), words_of_freedoms<D>(model.stepper->supports()))) +
          second_look<D>(file.as<cases::MpsCase>(), model.stepper->particles()) + side_lines(model) +
-         softening_lines(mps, softening_place<D>(mps, *model.links, model.filling)) +
+         softening_lines(mps, softening_place<D>(mps, *model.links, model.filling, model.material)) +
          line("stability", fmt::format("{}, predicted from the largest frequency, {} rad/s, and the damping",
                                        cases::limit_text(limit, 5), number(model.limit.frequency, 6))) +
          line("step", fmt::format("{} s, {} of the limit, {} per history row", number(model.step, 5),

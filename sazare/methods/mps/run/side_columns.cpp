@@ -257,7 +257,10 @@ template <int D>
 methods::mps::StableStep SideParts<D>::predict(methods::mps::StableStep ground) const {
   for (const MpsParts<D>& column : columns) {
     const methods::mps::StableStep own = column.predict();
-    ground = {std::min(ground.verlet, own.verlet), std::min(ground.euler, own.euler), std::max(ground.frequency, own.frequency)};
+    ground = {.verlet = std::min(ground.verlet, own.verlet),
+              .euler = std::min(ground.euler, own.euler),
+              .euler_lagged = std::min(ground.euler_lagged, own.euler_lagged),
+              .frequency = std::max(ground.frequency, own.frequency)};
   }
   return ground;
 }

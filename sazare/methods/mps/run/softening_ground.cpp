@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 
 #include "sazare/cases/explanation.hpp"
@@ -69,13 +70,19 @@ std::string warn_of_narrow_band(const cases::CaseFile& file, std::size_t materia
 }  // namespace
 
 template <int D>
-SofteningPlace softening_place(const cases::MpsCase& mps, const methods::mps::LinkTable<D>& links, const Filling<D>& filling) {
+SofteningPlace softening_place(const cases::MpsCase& mps, const methods::mps::LinkTable<D>& links, const Filling<D>& filling,
+                               std::span<const Index> material) {
   SofteningPlace place{methods::mps::square_of_reach<D>(links), filling.spacing, 0, 0};
   const auto level = [](const methods::mps::Site<D>& site) { return site[D - 1]; };
   const auto [low, high] = std::ranges::minmax_element(filling.sites, {}, level);
   if (low != filling.sites.end()) place.height = filling.spacing * (level(*high) - level(*low) + 1);
-  for (const cases::Ground& ground : mps.materials)
-    place.pressure = std::max(place.pressure, ground.density * mps.gravity.acceleration.norm() * place.height);
+  std::map<methods::mps::Site<D>, Real> weights;  // of columns of particles
+  for (std::size_t i = 0; i < filling.sites.size(); ++i) {
+    methods::mps::Site<D> column = filling.sites[i];
+    column[D - 1] = 0;
+    const Real density = mps.materials[static_cast<std::size_t>(material[i])].density;
+    place.pressure = std::max(place.pressure, weights[column] += density * mps.gravity.acceleration.norm() * filling.spacing);
+  }
   return place;
 }
 
@@ -141,12 +148,15 @@ std::string softening_lines(const cases::MpsCase& mps, const SofteningPlace& pla
     const SofteningBand free = free_band(ground, place);
     if (free.drop > 0) add(ground, free, loses_friction(ground) ? ", without pressure" : "");
     if (loses_friction(ground) && place.pressure > 0)
-      add(ground, narrowest_band(ground, place), fmt::format(", under {} kPa, the weight of all ground", short_number(1e-3 * place.pressure, 3)));
+      add(ground, narrowest_band(ground, place),
+          fmt::format(", under {} kPa, the weight of the highest ground", short_number(1e-3 * place.pressure, 3)));
   }
   return text;
 }
 
-template SofteningPlace softening_place<2>(const cases::MpsCase&, const methods::mps::LinkTable<2>&, const Filling<2>&);
-template SofteningPlace softening_place<3>(const cases::MpsCase&, const methods::mps::LinkTable<3>&, const Filling<3>&);
+template SofteningPlace softening_place<2>(const cases::MpsCase&, const methods::mps::LinkTable<2>&, const Filling<2>&,
+                                           std::span<const Index>);
+template SofteningPlace softening_place<3>(const cases::MpsCase&, const methods::mps::LinkTable<3>&, const Filling<3>&,
+                                           std::span<const Index>);
 
 }  // namespace sazare::runs

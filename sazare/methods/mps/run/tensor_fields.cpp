@@ -39,7 +39,8 @@ const methods::mps::GroundStrength<D>& TensorFields<D>::ground() {
   if (model_->failing != nullptr) return model_->failing->strength();
   if (!elastic_)
     elastic_.emplace(model_->stepper->particles(), *model_->links,
-                     strengths_of(*mps_, softening_place<D>(*mps_, *model_->links, model_->filling)), model_->material);
+                     strengths_of(*mps_, softening_place<D>(*mps_, *model_->links, model_->filling, model_->material)),
+                     model_->material);
   return *elastic_;
 }
 
