@@ -9,6 +9,7 @@ tried (class Tried) may take; its files are kept in build/fuzz/NAME-NUMBER. One 
 """
 
 import argparse
+import contextlib
 import os
 import random
 import re
@@ -143,6 +144,12 @@ class ForkServer:
 THREAD = threading.local()  # each has a fork server
 
 
+def send(sign, program):
+    """Sends a signal to a program, which may have ended in this moment."""
+    with contextlib.suppress(ProcessLookupError):
+        os.kill(program, sign)
+
+
 def ended(arguments, folder, stop_after=None):
     """A program that has ended, as subprocess.run gives it; it is asked to stop after so many seconds. Raises TimeoutExpired."""
     if not hasattr(THREAD, "server"):
@@ -152,10 +159,10 @@ def ended(arguments, folder, stop_after=None):
     in_time = server.ended_within(stop_after or longest)
     asked = not in_time and stop_after is not None
     if asked:
-        os.kill(program, signal.SIGTERM)
+        send(signal.SIGTERM, program)
         in_time = server.ended_within(longest)
     if not in_time:
-        os.kill(program, signal.SIGKILL)
+        send(signal.SIGKILL, program)
     code = server.exit_code()
     if not in_time:
         raise subprocess.TimeoutExpired(arguments, longest)
@@ -256,6 +263,9 @@ def main():
                     print(f"{tried} of {len(work)} tried", file=sys.stderr, flush=True)
         except KeyboardInterrupt:
             pool.shutdown(cancel_futures=True)
+        except BaseException:
+            pool.shutdown(cancel_futures=True)
+            raise
     print(f"{tried} mutants of {len(names)} cases and the messages of a coupling, seed {chosen.seed}: {findings} findings")
     return 1 if findings else 0
 
