@@ -98,14 +98,6 @@ def figure(width, height):
     return Figure(figsize=(width, height), layout="constrained")
 
 
-def tell_left_out(figure, names, shown, table):
-    """Says below a figure how many of the names have no curve in it, though the table has their numbers."""
-    more = names[shown:]
-    if more:
-        which = more[0] if len(more) == 1 else f"{more[0]} to {more[-1]}"
-        figure.supxlabel(f"{len(more)} more, {which}: see {table}", x=0.01, ha="left", fontsize=8.0, color=INK)
-
-
 def write_names_plainly(figure):
     """Lets names of users stand as they are, with dollar signs too, which begin formulas elsewhere; labels of ticks are formulas."""
     for text in figure.findobj(Text):
