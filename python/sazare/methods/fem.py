@@ -7,6 +7,7 @@ from matplotlib.collections import PolyCollection
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 from sazare import curve_styles, plot, style
+from sazare.base_motion import SeenFromBase
 from sazare.ground_motion.gauges import from_below
 from sazare.methods import Figure, Method, Section, common
 
@@ -117,11 +118,12 @@ def _panels(grids, values, label, factor, titles):
 
 @style.styled
 def displaced(results):
-    """The deformed mesh at the largest displacement and at the end, coloured by displacement [m]."""
+    """The deformed mesh at the largest displacement and at the end, coloured by displacement [m], relative to the base where a motion enters."""
     snapshots = results.element_snapshots
     if not len(snapshots):
         return None
-    grids = [snapshot.elements for snapshot in snapshots]
+    base = SeenFromBase(results)
+    grids = [base.mesh(snapshot) for snapshot in snapshots]
     sizes = [np.linalg.norm(np.asarray(grid.point_data["displacement"]), axis=1) for grid in grids]
     chosen = sorted({int(np.argmax([size.max() for size in sizes])), len(grids) - 1})[:MOST_PANELS]
     extent = np.ptp(_shown_extent(grids[0]), axis=0).max()
@@ -129,7 +131,7 @@ def displaced(results):
     values = [_mean_by_cell(grids[i], sizes[i]) for i in chosen]
     unit, prefix = style.prefix_of(*values)
     titles = [style.quantity(snapshots[i].time, "s") for i in chosen]
-    return _panels([grids[i] for i in chosen], [value / unit for value in values], f"displacement [{prefix}m]", factor, titles)
+    return _panels([grids[i] for i in chosen], [value / unit for value in values], f"displacement{base.words} [{prefix}m]", factor, titles)
 
 
 @style.styled
@@ -138,7 +140,7 @@ def yielding(results):
     snapshots = results.element_snapshots
     if not len(snapshots):
         return None
-    grid = snapshots[-1].elements
+    grid = SeenFromBase(results).mesh(snapshots[-1])
     slip = np.asarray(grid.cell_data["plastic_shear_strain"])
     if slip.max(initial=0.0) <= 0.0:
         return None
@@ -347,7 +349,7 @@ def sections(results):
     has_joints = any(name.endswith(".slip_max") for name in results.history)
     return [
         Section(
-            "displaced", "Deformed mesh", "Deformed mesh at the largest displacement and at the end, coloured by displacement.",
+            "displaced", "Deformed mesh", "Deformed mesh at the largest displacement and at the end, coloured by displacement; where a motion enters, seen from the base, the lowest nodes.",
             partial(displaced, results), common.NO_SNAPSHOTS,
         ),
         Section("yielding", "Yielding", "Equivalent plastic shear strain of the elements at the end.", partial(yielding, results), "No element has yielded."),

@@ -48,6 +48,19 @@ def test_displacements_have_a_prefix_that_suits_them():
     assert figure.axes[0].collections[0].get_array().max() == pytest.approx(7.5)  # three corners move by 10 mm
 
 
+def test_ground_on_a_moving_base_is_seen_from_there():
+    shots = [snapshot(time, *SQUARE) for time in (0.0, 1.0)]
+    for shot in shots:
+        shot.elements.point_data["displacement"][:, 0] = [2.0 * shot.time] * 2 + [2.004 * shot.time] * 2
+        shot.elements.points = np.array(SQUARE[0], dtype=float) + shot.elements.point_data["displacement"]
+    case = '[[motions]]\nname = "m"\n[[boundaries]]\ngroup = "bottom"\nmotion_x = "m"\n'
+    figure = fem.displaced(SimpleNamespace(case_text=case, element_snapshots=shots))
+    assert figure.axes[-1].get_ylabel() == "displacement relative to the base [mm]"
+    assert figure.axes[0].collections[0].get_array().max() == pytest.approx(2.0), "two of the corners moved by 4 mm against the base"
+    still = fem.displaced(SimpleNamespace(case_text="", element_snapshots=shots))
+    assert still.axes[-1].get_ylabel() == "displacement [m]" and still.axes[0].collections[0].get_array().max() == pytest.approx(2.002)
+
+
 def test_gauges_of_a_static_analysis_have_curves_that_differ():
     time = np.linspace(0.0, 1.0, 5)
     names = [f"g{number}" for number in range(12)]
