@@ -169,7 +169,7 @@ def _fields(faces, times, names, words):
         axes.label_outer()
     for axes in panels[len(faces):]:
         axes.set_axis_off()
-    style.colorbar(figure, drawn, list(panels), f"acceleration along {names[0]} [{prefix}m/s²]", clipped)
+    style.colorbar(figure, drawn, list(panels), f"acceleration along {names[0]} [{prefix}m/s²]", clipped, extend="both" if clipped else "neither")
     _tell(figure, words)
     return figure
 

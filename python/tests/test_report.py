@@ -352,6 +352,29 @@ def test_scales_of_many_values_end_at_a_percentile_and_say_so():
     assert style.clipped_top(np.zeros(500)) == (1.0, False)
 
 
+def test_scales_of_stresses_are_for_the_bulk_of_them():
+    bulk = np.linspace(-30.0, 100.0, 960)
+    low, high = style.bulk(np.r_[bulk, np.full(30, 4000.0), np.full(10, -900.0), np.nan])
+    room = style.FAR_OUT * np.ptp(np.percentile(bulk, (25, 75)))
+    assert -30.0 < low < -20.0 and 100.0 < high < 100.0 + 1.1 * room, "nothing far out, though it is more than two in a hundred"
+    assert style.bulk(np.linspace(0.0, 1.0, 1001)) == (0.0, pytest.approx(0.98))
+    assert style.bulk([1.0, 2.0, 500.0]) == (0.0, 500.0), "of few values all"
+    assert style.bulk(np.zeros(500)) == style.bulk([]) == (0.0, 1.0)
+    assert style.bulk(np.r_[np.zeros(990), np.full(10, 7.0)]) == (0.0, 7.0)
+
+
+@pytest.mark.parametrize(("values", "extend", "words"), [
+    ([0.0, 2e3], "neither", "[kPa]"), ([0.0, 5e6], "max", "[kPa],\nlargest 5 MPa"), ([-7e3, 2e3], "min", "[kPa],\nleast -7 kPa"),
+    ([-7e3, 5e6], "both", "[kPa],\nleast -7 kPa,\nlargest 5 MPa"),
+])
+def test_a_bar_is_open_where_values_lie_beyond_it(values, extend, words):
+    figure = style.figure(4.0, 3.0)
+    axes = figure.subplots()
+    drawn = axes.scatter([0, 1], [0, 1], c=np.array(values) / 1e3, vmin=0.0, vmax=2.0)
+    style.open_colorbar(figure, drawn, axes, np.array(values), 1e3, "k", "Pa")
+    assert drawn.colorbar.extend == extend and figure.axes[-1].get_ylabel() == words
+
+
 def test_the_prefix_of_arrays_is_that_of_their_largest_magnitude():
     assert style.prefix_of(np.array([0.0, -5e-5])) == (1e-6, "µ")
     assert style.prefix_of(np.array([]), np.array([2e3, np.nan])) == (1e3, "k")

@@ -209,15 +209,14 @@ def stresses(results):
     figure = style.figure(9.0, 5.4 if tall else 0.3 + len(fields) * (room[1] + 0.6))
     for axes, (name, label, unit) in zip(np.ravel(figure.subplots(*shape, squeeze=False, sharex=True, sharey=True)), fields):
         values = np.asarray(grid.cell_data[name])
-        top, clipped = style.clipped_top(np.abs(values))
-        factor, prefix = style.prefix_for(top) if unit else (1.0, "")
-        low = -top if values.min(initial=0.0) < -0.02 * top else 0.0
-        drawn = axes.scatter(*points[:, columns].T, c=values / factor, cmap=style.SPEED, vmin=low / factor, vmax=top / factor, s=_marker(grid, frame, room), linewidths=0)
+        low, high = style.bulk(values)
+        factor, prefix = style.prefix_of([low, high]) if unit else (1.0, "")
+        drawn = axes.scatter(*points[:, columns].T, c=values / factor, cmap=style.SPEED, vmin=low / factor, vmax=high / factor, s=_marker(grid, frame, room), linewidths=0)
         _show(axes, frame, columns[1])
         if ratio > SLENDER:
             axes.set_aspect("auto")
         axes.set_title(label)
-        style.colorbar(figure, drawn, axes, f"[{prefix}{unit or '-'}]", clipped)
+        style.open_colorbar(figure, drawn, axes, values, factor, prefix, unit)
     figure.suptitle(style.quantity(snapshots[most].time, "s"))
     return figure
 
@@ -293,7 +292,8 @@ def sections(results):
             partial(displaced, results), common.NO_SNAPSHOTS,
         ),
         Section(
-            "stresses", "Stress and strain", "Equivalent shear strain, von Mises stress and pressure of the particles, in the snapshot in which the ground is sheared most.",
+            "stresses", "Stress and strain", "Equivalent shear strain, von Mises stress and pressure of the particles, in the snapshot in which the ground is sheared most. "
+            "Colours are for the bulk of the values: where the bar is open, few are far beyond it, as beside a border to much stiffer ground and at free surfaces.",
             partial(stresses, results), common.NO_SNAPSHOTS,
         ),
         *failing,

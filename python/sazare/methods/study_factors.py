@@ -129,9 +129,10 @@ def slip_surfaces(results):
         deep = np.ptp(table["z"]) > 0.0  # a body in space is seen from the front
         across = table["z"] if deep else table["y"]
         order = np.argsort(table["slip"])
+        top, clipped = style.clipped_top(table["slip"])
         spread = axes.scatter(table["x"][order], across[order], c=table["slip"][order], s=_dot(table["x"], across), cmap=style.SPEED, linewidths=0,
-                              vmax=max(np.quantile(table["slip"], 0.99), 1e-12))
-        figure.colorbar(spread, ax=axes, label="plastic shear strain", shrink=0.8)
+                              vmin=0.0, vmax=top)
+        style.colorbar(figure, spread, axes, "plastic shear strain [-]", clipped)
         axes.set_aspect("equal")
         axes.set_title(name)
         axes.set_xlabel("x [m]")
