@@ -3,7 +3,8 @@
 import numpy as np
 from matplotlib.ticker import NullFormatter
 
-from sazare import style
+from sazare import curve_styles, style
+from sazare.ground_motion.gauges import from_below
 
 MOST_GAUGES = 6
 MOST_FORCES = 6
@@ -71,7 +72,8 @@ def _residual(axes, time, residual, work):
 @style.styled
 def gauges(results):
     """Velocity [m/s] at every gauge against time, components and magnitude, with its peak."""
-    chosen = list(results.gauges.values())[:MOST_GAUGES]
+    kept = curve_styles.spread(from_below(results, list(results.gauges)), MOST_GAUGES)
+    chosen = [gauge for gauge in results.gauges.values() if gauge.name in kept]
     if not chosen or len(chosen[0].time) < 2:
         return None
     figure = style.figure(9.0, 0.7 + 1.9 * len(chosen))
@@ -89,7 +91,7 @@ def gauges(results):
         axes.margins(x=0)
     rows[0].legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=4, borderaxespad=0.2)
     rows[-1].set_xlabel(f"time [{prefix}s]")
-    style.tell_left_out(figure, list(results.gauges), MOST_GAUGES, "gauges.csv")
+    curve_styles.tell_left_out(figure, list(results.gauges), kept, "gauges.csv")
     return figure
 
 
@@ -111,7 +113,7 @@ def boundary_forces(results):
     factor, prefix = style.prefix_for(max(np.abs(history[name]).max() for name in names))
     figure = style.figure(6.2, 3.6)
     axes = figure.subplots()
-    style.tell_left_out(figure, names, MOST_FORCES, "history.csv")
+    curve_styles.tell_left_out(figure, names, names[:MOST_FORCES], "history.csv")
     for name in names[:MOST_FORCES]:
         group, axis = name[:-2].removesuffix(".force"), name[-1]
         axes.plot(time, history[name] / factor, linewidth=1.1, label=f"{group} along {axis}")

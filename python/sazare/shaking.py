@@ -4,15 +4,15 @@ import warnings
 
 import numpy as np
 
-from sazare import style
-from sazare.ground_motion.gauges import base_of, gauge_motions, input_axes, residual, stacks, tilt, up_axis
+from sazare import curve_styles, style
+from sazare.ground_motion.gauges import base_of, from_below, gauge_motions, input_axes, residual, stacks, tilt, up_axis
 from sazare.ground_motion.intensity import arias_intensity, husid
-from sazare.ground_motion.pictures import COLOURS, add_gal
+from sazare.ground_motion.pictures import add_gal
 from sazare.ground_motion.profiles import shear_history_of
 from sazare.ground_motion.record import GAL
 from sazare.ground_motion.spectra import response_spectrum, usual_periods
 
-MOST_GAUGES = 8
+MOST_ROWS = 12  # gauges with axes of their own
 AXES = "xyz"
 
 
@@ -36,10 +36,11 @@ def main_axis(results):
 
 @style.styled
 def accelerations(results):
-    """Acceleration [m/s2] at every gauge against time, one above the other in the order of the case."""
-    names = list(results.gauges)[:MOST_GAUGES]
-    if not names or results.gauge_table.rows < 2:
+    """Acceleration [m/s2] at every gauge against time, the highest one on top."""
+    every = from_below(results, list(results.gauges))
+    if not every or results.gauge_table.rows < 2:
         return None
+    names = curve_styles.spread(every, MOST_ROWS)
     axis, time = main_axis(results), results.gauge_table["time"]
     figure = style.figure(9.0, 0.7 + 1.35 * len(names))
     rows = figure.subplots(len(names), 1, sharex=True, sharey=True, squeeze=False)[:, 0]
@@ -52,14 +53,14 @@ def accelerations(results):
         axes.margins(x=0)
     rows[len(rows) // 2].set_ylabel(f"acceleration along {AXES[axis]} [m/s²]")
     rows[-1].set_xlabel("time [s]")
-    style.tell_left_out(figure, list(results.gauges), MOST_GAUGES, "gauges.csv")
+    curve_styles.tell_left_out(figure, every, names, "gauges.csv")
     return figure
 
 
 @style.styled
 def spectra(results):
-    """Fourier amplitude spectra [m/s] of the acceleration at the first and last gauge, and their ratio [-]."""
-    names = list(results.gauges)
+    """Fourier amplitude spectra [m/s] of the acceleration at the lowest and the highest gauge, and their ratio [-]."""
+    names = from_below(results, list(results.gauges))
     if len(names) < 2 or results.gauge_table.rows < 16:
         return None
     axis, time = main_axis(results), results.gauge_table["time"]
@@ -73,7 +74,7 @@ def spectra(results):
     left.loglog(frequency[shown], last[shown], color=style.ACCENT, linewidth=0.9, label=names[-1])
     left.set_ylabel("Fourier amplitude [m/s]")
     left.legend()
-    # Where the first gauge hardly moves the ratio says nothing.
+    # Where the lower gauge hardly moves the ratio says nothing.
     strong = shown & (first > 1e-3 * first.max())
     right.semilogx(frequency[strong], last[strong] / first[strong], color=style.INK, linewidth=0.9)
     right.set_ylabel(f"spectral ratio {names[-1]} / {names[0]} [-]")
@@ -83,10 +84,18 @@ def spectra(results):
     return figure
 
 
-def _coloured(motions, figure):
-    """Gauges, as many as can be told apart, each with its colour; of the others the figure tells."""
-    style.tell_left_out(figure, [motion.name for motion in motions], MOST_GAUGES, "ground_motion.csv")
-    return list(zip(motions[:MOST_GAUGES], COLOURS * 2))
+def _drawn(results, motions):
+    """Gauges from below, as many as can be told apart, each with its colour and line; the lowest and the highest are always among them, and of
+    many have thicker lines."""
+    named = {motion.name: motion for motion in motions}
+    names = curve_styles.spread(from_below(results, list(named)))
+    ends = (0, len(names) - 1) if len(names) > curve_styles.MOST_INSIDE else ()
+    return [(named[name], {**curve_styles.look(number), "linewidth": 2.0 if number in ends else 1.1}) for number, name in enumerate(names)]
+
+
+def _tell(figure, results, motions, drawn, source):
+    """Says which gauges have no curve, and where their numbers are."""
+    curve_styles.tell_left_out(figure, from_below(results, [motion.name for motion in motions]), [motion.name for motion, _ in drawn], source)
 
 
 @style.styled
@@ -98,7 +107,7 @@ def response_spectra(results):
     base, axis = base_of(results, motions), main_axis(results)
     rows = motions[0].record(axis)
     periods = usual_periods(max(0.02, 2.0 * rows.step), max(0.04, 4.0 * rows.step, min(10.0, rows.duration)))
-    figure = style.figure(9.0, 3.6)
+    figure = curve_styles.figure(9.0, 3.6, len(motions))
     left, right = figure.subplots(1, 2)
 
     def spectrum_of(motion):
@@ -108,14 +117,16 @@ def response_spectra(results):
 
     below = spectrum_of(base)
     strong = below > 1e-3 * below.max()  # elsewhere the ratio says nothing
-    for motion, colour in _coloured(motions, figure):
-        own = spectrum_of(motion)
-        left.semilogx(periods, own, color=colour, linewidth=1.1, label=motion.name)
+    drawn = _drawn(results, motions)
+    for motion, look in drawn:
+        own = below if motion is base else spectrum_of(motion)
+        left.semilogx(periods, own, label=motion.name, **look)
         if motion is not base:
-            right.semilogx(periods[strong], own[strong] / below[strong], color=colour, linewidth=1.1)
+            right.semilogx(periods[strong], own[strong] / below[strong], **look)
+    _tell(figure, results, motions, drawn, "gauges.csv, from which sazare.ground_motion.response_spectrum in Python finds their spectra")
     left.set_ylabel(f"pseudo acceleration along {AXES[axis]} [m/s²]")
     left.set_ylim(bottom=0.0)
-    left.legend()
+    curve_styles.legend(left, right)
     add_gal(left)
     right.set_ylabel(f"ratio to {base.name} [-]")
     right.set_ylim(bottom=0.0)
@@ -131,16 +142,18 @@ def husid_curves(results):
     if not motions:
         return None
     axis = main_axis(results)
-    figure = style.figure(6.2, 3.4)
+    figure = curve_styles.figure(6.2, 3.4, len(motions))
     axes = figure.subplots()
-    for motion, colour in _coloured(motions, figure):
+    drawn = _drawn(results, motions)
+    for motion, look in drawn:
         record = motion.record(axis)
         whole = arias_intensity(record)
-        axes.plot(motion.time, whole * husid(record), color=colour, linewidth=1.2, label=f"{motion.name}: {whole:.3g} m/s")
+        axes.plot(motion.time, whole * husid(record), label=f"{motion.name}: {whole:.3g} m/s", **look)
+    _tell(figure, results, motions, drawn, "ground_motion.csv for their Arias intensity, gauges.csv for its growth")
     axes.set(xlabel="time [s]", ylabel=f"Arias intensity along {AXES[axis]} [m/s]")
     axes.set_ylim(bottom=0.0)
     axes.margins(x=0)
-    axes.legend()
+    curve_styles.legend(axes)
     return figure
 
 
@@ -153,16 +166,17 @@ def profiles(results):
     if not found:
         return None
     axis, up = main_axis(results), up_axis(results, motions)
-    sheared = [] if axis == up else [one for stack in found if (one := shear_history_of(results, stack, axis, up)) is not None]
+    labels = [f"{stack[0].name} to {stack[-1].name}" for stack in found]
+    drawn = [(stack, curve_styles.look(number)) for number, stack in enumerate(found[: curve_styles.MOST])]
+    sheared = [] if axis == up else [(one, look) for stack, look in drawn if (one := shear_history_of(results, stack, axis, up)) is not None]
     figure = style.figure(9.0, 4.2 if not sheared else 8.0)
     grid = figure.subplots(1 + bool(sheared), 3, sharey=True, squeeze=False)
     panels = grid[0]
-    for stack, colour in zip(found, COLOURS):
+    for (stack, look), label in zip(drawn, labels):
         heights = [motion.point[up] for motion in stack]
-        label = f"{stack[0].name} to {stack[-1].name}"
         for axes, quantity in zip(panels, ("acceleration", "velocity", "displacement")):
             peaks = [np.abs(getattr(motion, quantity)[:, axis]).max() for motion in stack]
-            axes.plot(peaks, heights, "o-", color=colour, linewidth=1.2, markersize=4, label=label)
+            axes.plot(peaks, heights, marker="o", linewidth=1.2, markersize=4, label=label, **look)
     for axes, words in zip(panels, ("acceleration [m/s²]", "velocity [m/s]", "displacement [m]")):
         axes.set_xlabel(f"peak {words}, along {AXES[axis]}")
         axes.set_xlim(0.0, 1.08 * axes.dataLim.x1)
@@ -170,26 +184,27 @@ def profiles(results):
     beside.set_xlabel("[gal]")
     panels[0].set_ylabel(f"{AXES[up]} [m]")
     if len(found) > 1:
-        panels[-1].legend()
+        curve_styles.legend(panels[-1])
+    curve_styles.tell_left_out(figure, labels, labels[: len(drawn)], "ground_motion.csv and profiles.csv")
     if sheared:
         _draw_shear(grid[1], sheared, f"{AXES[up]} [m]")
     return figure
 
 
 def _draw_shear(panels, sheared, label):
-    """Peak strain and stress of each stack; panels without data are taken away."""
+    """Peak strain and stress of each stack (its ShearHistory, and its colour and line); panels without data are taken away."""
     percent = 100.0
-    peaks = [one.peaks() for one in sheared]
-    stresses = [(one, stress, colour) for one, (_, stress), colour in zip(sheared, peaks, COLOURS) if np.isfinite(stress).any()]
-    for one, (strain, _), colour in zip(sheared, peaks, COLOURS):
-        panels[0].plot(percent * strain, one.height, "s-", color=colour, linewidth=1.2, markersize=4)
-    if any(np.isnan(strain).any() for strain, _ in peaks):
+    peaks = [(one.height, *one.peaks(), look) for one, look in sheared]
+    stresses = [(height, stress, look) for height, _, stress, look in peaks if np.isfinite(stress).any()]
+    for height, strain, _, look in peaks:
+        panels[0].plot(percent * strain, height, marker="s", linewidth=1.2, markersize=4, **look)
+    if any(np.isnan(strain).any() for _, strain, _, _ in peaks):
         panels[0].set_title("not where gauges are too far apart for the waves", fontsize="small")
     panels[0].set_xlabel("peak shear strain [%]")
     panels[0].set_ylabel(label)
     factor, prefix = style.prefix_of(*(stress[np.isfinite(stress)] for _, stress, _ in stresses)) if stresses else (1.0, "")
-    for one, stress, colour in stresses:
-        panels[1].plot(stress / factor, one.height, "s-", color=colour, linewidth=1.2, markersize=4)
+    for height, stress, look in stresses:
+        panels[1].plot(stress / factor, height, marker="s", linewidth=1.2, markersize=4, **look)
     panels[1].set_xlabel(f"peak shear stress [{prefix}Pa]")
     for axes in panels[:2]:
         axes.set_xlim(left=0.0)
@@ -205,15 +220,17 @@ def relative_displacements(results):
         return None
     base, axis = base_of(results, motions), main_axis(results)
     others = [motion for motion in motions if motion is not base]
-    moved = [motion.displacement[:, axis] - base.displacement[:, axis] for motion in others]
-    factor, prefix = style.prefix_of(*moved[:MOST_GAUGES])
-    figure = style.figure(9.0, 3.6)
+    drawn = _drawn(results, others)
+    moved = [motion.displacement[:, axis] - base.displacement[:, axis] for motion, _ in drawn]
+    factor, prefix = style.prefix_of(*moved)
+    figure = curve_styles.figure(9.0, 3.6, len(others))
     axes = figure.subplots()
-    for (motion, colour), values in zip(_coloured(others, figure), moved):
-        axes.plot(motion.time, values / factor, color=colour, linewidth=1.0, label=f"{motion.name}: {_remains(motion, base, axis)}")
+    for (motion, look), values in zip(drawn, moved):
+        axes.plot(motion.time, values / factor, label=f"{motion.name}: {_remains(motion, base, axis)}", **look)
+    _tell(figure, results, others, drawn, "gauges.csv")
     axes.set(xlabel="time [s]", ylabel=f"displacement along {AXES[axis]} less that of {base.name} [{prefix}m]")
     axes.margins(x=0)
-    axes.legend()
+    curve_styles.legend(axes)
     return figure
 
 

@@ -98,14 +98,6 @@ def figure(width, height):
     return Figure(figsize=(width, height), layout="constrained")
 
 
-def tell_left_out(figure, names, shown, table):
-    """Says below a figure how many of the names have no curve in it, though the table has their numbers."""
-    more = names[shown:]
-    if more:
-        which = more[0] if len(more) == 1 else f"{more[0]} to {more[-1]}"
-        figure.supxlabel(f"{len(more)} more, {which}: see {table}", x=0.01, ha="left", fontsize=8.0, color=INK)
-
-
 def write_names_plainly(figure):
     """Lets names of users stand as they are, with dollar signs too, which begin formulas elsewhere; labels of ticks are formulas."""
     for text in figure.findobj(Text):
@@ -176,10 +168,45 @@ def clipped_top(values, share=99.0):
     return (top, True) if 0.0 < top < largest else (largest or 1.0, False)
 
 
+FAR_OUT = 3.0  # interquartile ranges beyond the quartiles
+
+
+def bulk(values):
+    """Lower and upper end of a scale of colours for the bulk of some values, such as stresses that are far off in single rows of particles.
+
+    The 2nd and 98th percentile, but nothing that is far out by Tukey, Exploratory Data Analysis (1977): by more than three
+    interquartile ranges beyond the quartiles. A scale of values that are hardly negative begins at 0. Of few values all are in it.
+    """
+    values = np.asarray(values, dtype=float)
+    values = values[np.isfinite(values)]
+    least, largest = (float(values.min()), float(values.max())) if len(values) else (0.0, 0.0)
+    low, high = least, largest
+    if len(values) >= FEW:
+        low, first, third, high = (float(end) for end in np.percentile(values, (2.0, 25.0, 75.0, 98.0)))
+        room = FAR_OUT * (third - first) or np.inf
+        low, high = max(low, first - room), min(high, third + room)
+        if low >= high:
+            low, high = least, largest
+    if -0.02 * high < low:
+        low = 0.0
+    return (low, high) if low < high else (low, low + 1.0)
+
+
 def colorbar(figure, drawn, axes, label, clipped, **options):
     """A bar of colours that says where its scale is clipped."""
     words = ",\n".join(part for part in (label, "clipped at the\n99th percentile" if clipped else "") if part)
-    figure.colorbar(drawn, ax=axes, label=words, extend="max" if clipped else "neither", **{"shrink": 0.8, **options})
+    figure.colorbar(drawn, ax=axes, label=words, **{"extend": "max" if clipped else "neither", "shrink": 0.8, **options})
+
+
+def open_colorbar(figure, drawn, axes, values, factor=1.0, prefix="", unit=""):
+    """A bar of colours, in prefix and unit, that is open where values [unit] lie beyond its scale, and says how far they go."""
+    low, high = (factor * end for end in drawn.get_clim())
+    least, largest = float(np.nanmin(values)), float(np.nanmax(values))
+    slack = 1e-9 * (high - low)
+    beyond = {"min": f"least {quantity(least, unit)}"} if least < low - slack else {}
+    beyond |= {"max": f"largest {quantity(largest, unit)}"} if largest > high + slack else {}
+    words, ends = ",\n".join([f"[{prefix}{unit or '-'}]", *beyond.values()]), list(beyond)
+    figure.colorbar(drawn, ax=axes, label=words, shrink=0.8, extend="both" if len(ends) == 2 else ends[0] if ends else "neither")
 
 
 def round_factor(most):

@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 from matplotlib.colors import to_hex
 
+from sazare import style
 from sazare.methods import method_of
 from sazare.outside import outside_of
 
@@ -85,7 +86,7 @@ def read_frames(results):
     fields = []
     for name in names:
         values = np.stack([_of_cells(grid, name)[shapes.cells] for grid in grids])
-        fields.append(Field(*method.fields[name], values, *_range(values)))
+        fields.append(Field(*method.fields[name], values, *(_bulk_range if method.fields[name][1] == "Pa" else _range)(values)))
     enlargements = _enlargements(moved, start)
     shown = None if method.extent is None else method.extent(grids[0])
     camera = _camera(start, start + enlargements[-1] * moved[-1]) if shown is None else _camera(shown, shown)
@@ -148,6 +149,12 @@ def _range(values):
     """The colour range: from 0, or the lowest 1st percentile of any frame, to the largest 99th percentile."""
     finite = np.where(np.isfinite(values), values, 0.0)
     return float(min(np.percentile(finite, 1, axis=1).min(), 0.0)), float(np.percentile(finite, 99, axis=1).max() or finite.max())
+
+
+def _bulk_range(values):
+    """The colour range of stresses: from 0, or the lowest end of the bulk of any frame, to the largest one."""
+    ends = [style.bulk(frame) for frame in values]
+    return min(0.0, *(low for low, _ in ends)), max(high for _, high in ends)
 
 
 def _chosen_times(count, bytes_each):

@@ -5,7 +5,8 @@ from typing import Any
 
 import numpy as np
 from sazare import style
-from sazare.ground_motion.gauges import AXES, case_of, gauge_motions, input_axes, stacks, up_axis
+from sazare.base_motion import motion_enters
+from sazare.ground_motion.gauges import AXES, gauge_motions, stacks, up_axis
 from sazare.outside import outside_of
 from sazare.s_waves import LEVELS, VERTEX, cells_at_rest, centres, s_velocities, travel_times
 from sazare.shaking import main_axis
@@ -40,8 +41,8 @@ def passage(results):
 
     None where no motion enters, or case and snapshots do not tell the velocities. It has arrived once the acceleration is ONSET of its peak.
     """
-    snapshots, case = results.all_snapshots, case_of(results)
-    if len(snapshots) < 2 or not (input_axes(results) or case.get("incident_wave")):
+    snapshots = results.all_snapshots
+    if len(snapshots) < 2 or not motion_enters(results):
         return None
     grid = elements_once(snapshots[0])
     speeds = s_velocities(results, grid)
@@ -168,7 +169,7 @@ def _fields(faces, times, names, words):
         axes.label_outer()
     for axes in panels[len(faces):]:
         axes.set_axis_off()
-    style.colorbar(figure, drawn, list(panels), f"acceleration along {names[0]} [{prefix}m/s²]", clipped)
+    style.colorbar(figure, drawn, list(panels), f"acceleration along {names[0]} [{prefix}m/s²]", clipped, extend="both" if clipped else "neither")
     _tell(figure, words)
     return figure
 

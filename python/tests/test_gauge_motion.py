@@ -133,6 +133,53 @@ def test_ratios_and_peaks_in_the_pictures_are_those_of_the_gauges(shaken):
     assert legend == ["crest: 500 mm remain, turned by 50 mrad", "aside: not at rest at the end"]
 
 
+def column_of(count):
+    """Gauges above each other, in a case from the surface down."""
+    return {f"g{number}": (0.0, float(number), 0.0) for number in reversed(range(count))}
+
+
+def looks_of(axes):
+    return [(line.get_label(), line.get_color(), line.get_linestyle(), str(line._dash_pattern)) for line in axes.get_lines()]
+
+
+def test_twelve_gauges_have_spectra_that_can_be_told_apart(shaken, monkeypatch):
+    monkeypatch.setattr(shaking, "usual_periods", lambda *_: np.array([0.2, 0.5, 1.0]))
+    figure = shaking.response_spectra(shaken(gauges=column_of(12)))
+    looks = looks_of(figure.axes[0])
+    assert [label for label, *_ in looks] == [f"g{number}" for number in range(12)], "from below"
+    assert len({look[1:] for look in looks}) == 12
+    assert [look[1:] for look in looks_of(figure.axes[1])] == [look[1:] for look in looks[1:]], "the ratios look as the spectra"
+    assert figure.get_supxlabel() == ""
+
+
+def test_of_many_gauges_the_lowest_and_the_highest_are_drawn_and_the_others_named(shaken):
+    results = shaken(gauges=column_of(24))
+    for draw, most, source in ((shaking.husid_curves, 18, "ground_motion.csv for"), (shaking.relative_displacements, 18, "gauges.csv"), (shaking.accelerations, 12, "gauges.csv")):
+        figure = draw(results)
+        lines = [line for axes in figure.axes for line in axes.get_lines() if len(line.get_xdata()) > 1]
+        names = [line.get_label().split(":")[0] for line in lines] if draw is not shaking.accelerations else [axes.get_title(loc="left").split(":")[0] for axes in figure.axes][::-1]
+        first = "g1" if draw is shaking.relative_displacements else "g0"
+        assert (names[0], names[-1], len(names)) == (first, "g23", most)
+        left_out = {f"g{number}" for number in range(24)} - set(names) - ({"g0"} if first == "g1" else set())
+        assert figure.get_supxlabel().startswith(f"{len(left_out)} more, ") and f": see {source}" in figure.get_supxlabel()
+        assert set(figure.get_supxlabel().split(": see")[0].replace(" and", ",").split(", ")[1:9]) <= left_out
+
+
+def test_the_words_below_response_spectra_lead_to_spectra(shaken, monkeypatch):
+    monkeypatch.setattr(shaking.curve_styles, "spread", lambda names, most=2: [names[0], names[-1]])
+    monkeypatch.setattr(shaking, "usual_periods", lambda *_: np.array([0.2, 0.5, 1.0]))
+    results = shaken(gauges=column_of(3))
+    words = shaking.response_spectra(results).get_supxlabel()
+    assert words == "1 more, g1: see gauges.csv, from which sazare.ground_motion.response_spectrum in Python finds their spectra"
+    assert ground_motion.response_spectrum(gauge_motions(results)[1].record(0), [0.5]).pseudo_acceleration[0] > 0.0
+
+
+def test_fourier_spectra_are_those_of_the_lowest_and_the_highest_gauge(shaken):
+    figure = shaking.spectra(shaken(gauges=column_of(3)))
+    assert [line.get_label() for line in figure.axes[0].get_lines()] == ["g0", "g2"]
+    assert figure.axes[1].get_ylabel() == "spectral ratio g2 / g0 [-]"
+
+
 def test_few_rows_or_unequal_steps_give_no_motion(shaken, tmp_path):
     results = shaken()
     lines = (tmp_path / "gauges.csv").read_text().splitlines()

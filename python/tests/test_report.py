@@ -308,16 +308,8 @@ def test_gauges_without_a_curve_are_told_of(tmp_path):
     rows = [",".join([str(time), *["0.5"] * len(heads)]) for time in range(3)]
     (tmp_path / "gauges.csv").write_text("\n".join([",".join(["time [s]", *heads]), *rows, ""]))
     figure = plot.gauges(sazare.open(tmp_path))
-    assert [axes.get_title(loc="left").split(":")[0] for axes in figure.axes] == names[:6]
-    assert figure.get_supxlabel() == "3 more, G7 to G9: see gauges.csv"
-
-
-def test_nothing_is_told_where_every_name_has_its_curve():
-    figure = style.figure(6.0, 3.0)
-    style.tell_left_out(figure, ["a", "b"], 2, "gauges.csv")
-    assert figure.get_supxlabel() == ""
-    style.tell_left_out(figure, ["a", "b", "c"], 2, "walls.csv")
-    assert figure.get_supxlabel() == "1 more, c: see walls.csv"
+    assert [axes.get_title(loc="left").split(":")[0] for axes in figure.axes] == ["G1", "G3", "G4", "G6", "G7", "G9"]
+    assert figure.get_supxlabel() == "3 more, G2, G5, G8: see gauges.csv"
 
 
 def test_pictures_without_data_have_no_section_of_their_own(slab, tmp_path):
@@ -358,6 +350,29 @@ def test_scales_of_many_values_end_at_a_percentile_and_say_so():
     assert clipped and top == pytest.approx(0.99, abs=0.01)
     assert style.clipped_top(values[-5:]) == (1000.0, False)
     assert style.clipped_top(np.zeros(500)) == (1.0, False)
+
+
+def test_scales_of_stresses_are_for_the_bulk_of_them():
+    bulk = np.linspace(-30.0, 100.0, 960)
+    low, high = style.bulk(np.r_[bulk, np.full(30, 4000.0), np.full(10, -900.0), np.nan])
+    room = style.FAR_OUT * np.ptp(np.percentile(bulk, (25, 75)))
+    assert -30.0 < low < -20.0 and 100.0 < high < 100.0 + 1.1 * room, "nothing far out, though it is more than two in a hundred"
+    assert style.bulk(np.linspace(0.0, 1.0, 1001)) == (0.0, pytest.approx(0.98))
+    assert style.bulk([1.0, 2.0, 500.0]) == (0.0, 500.0), "of few values all"
+    assert style.bulk(np.zeros(500)) == style.bulk([]) == (0.0, 1.0)
+    assert style.bulk(np.r_[np.zeros(990), np.full(10, 7.0)]) == (0.0, 7.0)
+
+
+@pytest.mark.parametrize(("values", "extend", "words"), [
+    ([0.0, 2e3], "neither", "[kPa]"), ([0.0, 5e6], "max", "[kPa],\nlargest 5 MPa"), ([-7e3, 2e3], "min", "[kPa],\nleast -7 kPa"),
+    ([-7e3, 5e6], "both", "[kPa],\nleast -7 kPa,\nlargest 5 MPa"),
+])
+def test_a_bar_is_open_where_values_lie_beyond_it(values, extend, words):
+    figure = style.figure(4.0, 3.0)
+    axes = figure.subplots()
+    drawn = axes.scatter([0, 1], [0, 1], c=np.array(values) / 1e3, vmin=0.0, vmax=2.0)
+    style.open_colorbar(figure, drawn, axes, np.array(values), 1e3, "k", "Pa")
+    assert drawn.colorbar.extend == extend and figure.axes[-1].get_ylabel() == words
 
 
 def test_the_prefix_of_arrays_is_that_of_their_largest_magnitude():

@@ -17,7 +17,7 @@ from matplotlib.image import imread
 import sazare
 from sazare import style
 from sazare.report import write_report
-from sazare.view3d import _shapes, packed_view, read_frames
+from sazare.view3d import _bulk_range, _range, _shapes, packed_view, read_frames
 
 CHROMIUM = next((found for name in ("chromium", "chromium-browser", "google-chrome") if (found := shutil.which(name))), None)
 
@@ -81,6 +81,14 @@ def test_cells_that_share_points_keep_their_colours():
     assert np.all(colours == colours[:, :1]) and set(colours[:, 0]) == {0, 1}
     middles = grid.points[shapes.points][shapes.triangles].mean(axis=1)
     assert np.all((middles[:, 0] > 2.0) == (colours[:, 0] == 1))
+
+
+def test_stresses_are_coloured_by_the_bulk_of_them():
+    frames = np.stack([np.linspace(0.0, 50.0, 1000), np.linspace(-10.0, 100.0, 1000)])
+    frames[:, -40:] = 9000.0  # more than two in a hundred
+    low, high = _bulk_range(frames)
+    assert -10.0 <= low < 0.0 and 100.0 < high < 300.0
+    assert _range(frames)[1] == 9000.0
 
 
 def test_a_run_without_snapshots_has_no_view(slab, tmp_path):

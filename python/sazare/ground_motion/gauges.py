@@ -67,12 +67,25 @@ def _points(results):
 
 def up_axis(results, motions):
     """The axis that points upwards, 1 or 2: against gravity, or z where the gauges differ in it, or y."""
+    return _upwards(results, [motion.point for motion in motions if motion.point is not None])
+
+
+def _upwards(results, points):
+    """The axis that points upwards, by gravity or by the points of the gauges."""
     gravity = case_of(results).get("gravity")
     pull = gravity.get("acceleration") if isinstance(gravity, dict) else None
     if isinstance(pull, list) and len(pull) == 3 and any(pull):
         return int(np.argmax(np.abs(np.array(pull, dtype=float))))
-    heights = [motion.point[2] for motion in motions if motion.point is not None]
-    return 2 if heights and np.ptp(heights) > 0.0 else 1
+    return 2 if points and np.ptp([point[2] for point in points]) > 0.0 else 1
+
+
+def from_below(results, names):
+    """Names of gauges from the lowest to the highest; in the order of the case where it does not tell where each of them is."""
+    points = _points(results)
+    if any(name not in points for name in names):
+        return list(names)
+    axis = _upwards(results, [points[name] for name in names])
+    return sorted(names, key=lambda name: points[name][axis])
 
 
 def input_axes(results):

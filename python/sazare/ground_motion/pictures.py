@@ -2,11 +2,9 @@
 
 import numpy as np
 
-from sazare import style
+from sazare import curve_styles, style
 from sazare.ground_motion.intensity import arias_intensity, husid, peak_acceleration, peak_displacement, peak_velocity
 from sazare.ground_motion.record import GAL
-
-COLOURS = (style.ACCENT, style.SECOND, "#7a9a3f", "#8069c0", "#8a5a34", "#d1b13c")
 
 
 def add_gal(axes, label="gal"):
@@ -51,10 +49,10 @@ def motion(record, spectra, target=None):
     _history(rows[2], record, record.displacement, peak_displacement(record), "displacement", "m")
     _husid(rows[3], record)
     upper, lower = right.subplots(2, 1, sharex=True)
-    for spectrum, colour in zip(spectra, COLOURS * len(spectra)):
-        label = f"damping {100.0 * spectrum.damping:g} %"
-        upper.semilogx(spectrum.period, spectrum.pseudo_acceleration, color=colour, linewidth=1.2, label=label)
-        lower.loglog(spectrum.period, spectrum.pseudo_velocity, color=colour, linewidth=1.2, label=label)
+    for number, spectrum in enumerate(spectra):
+        look = {**curve_styles.look(number), "linewidth": 1.2, "label": f"damping {100.0 * spectrum.damping:g} %"}
+        upper.semilogx(spectrum.period, spectrum.pseudo_acceleration, **look)
+        lower.loglog(spectrum.period, spectrum.pseudo_velocity, **look)
     if target is not None:
         upper.semilogx(*target, color=style.INK, linewidth=1.2, linestyle="--", label="target")
     upper.set_ylabel("pseudo acceleration [m/s²]")

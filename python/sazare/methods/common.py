@@ -48,11 +48,11 @@ def shaking_sections(results):
     """Acceleration at the gauges over time, and its spectra."""
     return [
         Section(
-            "accelerations", "Accelerations", "Acceleration at the gauges along the axis of the input motion; dots mark the peaks.",
+            "accelerations", "Accelerations", "Acceleration at the gauges along the axis of the input motion, the highest one on top; dots mark the peaks.",
             partial(shaking.accelerations, results), NO_GAUGES,
         ),
         Section(
-            "spectra", "Spectra", "Fourier amplitude spectra at the first and last gauge, and their ratio.",
+            "spectra", "Spectra", "Fourier amplitude spectra at the lowest and the highest gauge, and their ratio.",
             partial(shaking.spectra, results), "There are fewer than two gauges.",
         ),
         Section(

@@ -6,7 +6,9 @@ import numpy as np
 from matplotlib.collections import PolyCollection
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
-from sazare import plot, style
+from sazare import curve_styles, plot, style
+from sazare.base_motion import SeenFromBase
+from sazare.ground_motion.gauges import from_below
 from sazare.methods import Figure, Method, Section, common
 
 ENERGIES = {
@@ -116,11 +118,12 @@ def _panels(grids, values, label, factor, titles):
 
 @style.styled
 def displaced(results):
-    """The deformed mesh at the largest displacement and at the end, coloured by displacement [m]."""
+    """The deformed mesh at the largest displacement and at the end, coloured by displacement [m], relative to the base where a motion enters."""
     snapshots = results.element_snapshots
     if not len(snapshots):
         return None
-    grids = [snapshot.elements for snapshot in snapshots]
+    base = SeenFromBase(results)
+    grids = [base.mesh(snapshot) for snapshot in snapshots]
     sizes = [np.linalg.norm(np.asarray(grid.point_data["displacement"]), axis=1) for grid in grids]
     chosen = sorted({int(np.argmax([size.max() for size in sizes])), len(grids) - 1})[:MOST_PANELS]
     extent = np.ptp(_shown_extent(grids[0]), axis=0).max()
@@ -128,7 +131,7 @@ def displaced(results):
     values = [_mean_by_cell(grids[i], sizes[i]) for i in chosen]
     unit, prefix = style.prefix_of(*values)
     titles = [style.quantity(snapshots[i].time, "s") for i in chosen]
-    return _panels([grids[i] for i in chosen], [value / unit for value in values], f"displacement [{prefix}m]", factor, titles)
+    return _panels([grids[i] for i in chosen], [value / unit for value in values], f"displacement{base.words} [{prefix}m]", factor, titles)
 
 
 @style.styled
@@ -137,7 +140,7 @@ def yielding(results):
     snapshots = results.element_snapshots
     if not len(snapshots):
         return None
-    grid = snapshots[-1].elements
+    grid = SeenFromBase(results).mesh(snapshots[-1])
     slip = np.asarray(grid.cell_data["plastic_shear_strain"])
     if slip.max(initial=0.0) <= 0.0:
         return None
@@ -150,12 +153,14 @@ def yielding(results):
 def joints(results):
     """Share of the area of each joint that is open and that slips [-], and its maximum slip [m], against time."""
     history = results.history
-    names = [name.removesuffix(".slip_max") for name in history if name.endswith(".slip_max")]
-    if not names or history.rows < 2:
+    every = [name.removesuffix(".slip_max") for name in history if name.endswith(".slip_max")]
+    if not every or history.rows < 2:
         return None
+    names = sorted(every, key=lambda name: -np.max(history[f"{name}.slip_max"]))[:MOST_JOINTS]
     time, time_label = plot.time_axis(history)
     figure = style.figure(9.0, 3.4)
     left, right = figure.subplots(1, 2)
+    curve_styles.tell_left_out(figure, every, names, "history.csv")
     factor, prefix = style.prefix_of(*(history[f"{name}.slip_max"] for name in names))
     for name in names:
         line, = left.plot(time, history[f"{name}.sliding_fraction"], linewidth=1.0, label=f"{name}, slipping")
@@ -183,7 +188,7 @@ def members(results):
     limited = [name for name in names if _limit_ratio(history, name) is not None]
     time, time_label = plot.time_axis(history)
     figure = style.figure(9.0 if not (bent and limited) else 12.0, 3.4)
-    style.tell_left_out(figure, found, MOST_JOINTS, "history.csv")
+    curve_styles.tell_left_out(figure, found, names, "history.csv")
     panels = figure.subplots(1, 1 + bool(bent) + bool(limited), squeeze=False)[0]
     factor, prefix = style.prefix_of(*(history[f"{name}.axial_force_{end}"] for name in names for end in ("min", "max")))
     for name in names:
@@ -225,8 +230,10 @@ def plastic_members(results):
     time, time_label = plot.time_axis(history)
     kinds = [kind for kind in ("plastic_elongation", "plastic_rotation") if any(name.endswith(kind) for name in shown)]
     figure = style.figure(4.5 * len(kinds), 3.4)
+    kept = [name for kind in kinds for name in [name for name in shown if name.endswith(kind)][:MOST_JOINTS]]
+    curve_styles.tell_left_out(figure, shown, kept, "history.csv")
     for axes, kind in zip(figure.subplots(1, len(kinds), squeeze=False)[0], kinds, strict=True):
-        names = [name for name in shown if name.endswith(kind)][:MOST_JOINTS]
+        names = [name for name in kept if name.endswith(kind)]
         factor, prefix = style.prefix_of(*(history[name] for name in names))
         for name in names:
             axes.plot(time, history[name] / factor, linewidth=1.0, label=name.removesuffix(f".{kind}"))
@@ -248,14 +255,21 @@ def displacements(results):
     peaks = [max(np.abs(table[f"{name}.displacement_{axis}"]).max() for name in names) for axis in "xyz"]
     axis = "xyz"[int(np.argmax(peaks))]
     factor, prefix = style.prefix_for(max(peaks))
-    figure = style.figure(6.2, 3.4)
+    curves = {name: table[f"{name}.displacement_{axis}"] / factor for name in from_below(results, names)}
+    return _gauge_curves(time, time_label, curves, f"displacement along {axis} [{prefix}m]")
+
+
+def _gauge_curves(time, time_label, curves, label):
+    """Curves against time of gauges from below (name -> values), as many as can be told apart."""
+    figure = curve_styles.figure(6.2, 3.4, len(curves))
     axes = figure.subplots()
-    style.tell_left_out(figure, names, MOST_JOINTS, "gauges.csv")
-    for name in names[:MOST_JOINTS]:
-        axes.plot(time, table[f"{name}.displacement_{axis}"] / factor, linewidth=1.1, label=name)
+    names = curve_styles.spread(list(curves))
+    curve_styles.tell_left_out(figure, list(curves), names, "gauges.csv")
+    for number, name in enumerate(names):
+        axes.plot(time, curves[name], linewidth=1.1, label=name, **curve_styles.look(number))
     axes.set_xlabel(time_label)
-    axes.set_ylabel(f"displacement along {axis} [{prefix}m]")
-    axes.legend()
+    axes.set_ylabel(label)
+    curve_styles.legend(axes)
     axes.margins(x=0)
     return figure
 
@@ -271,16 +285,8 @@ def pore_pressures(results):
         return None
     time, time_label = plot.time_axis(table)
     factor, prefix = style.prefix_of(*(table[name + suffix] for name in names))
-    figure = style.figure(6.2, 3.4)
-    axes = figure.subplots()
-    style.tell_left_out(figure, names, MOST_JOINTS, "gauges.csv")
-    for name in names[:MOST_JOINTS]:
-        axes.plot(time, table[name + suffix] / factor, linewidth=1.1, label=name)
-    axes.set_xlabel(time_label)
-    axes.set_ylabel(f"excess pore pressure [{prefix}Pa]")
-    axes.legend()
-    axes.margins(x=0)
-    return figure
+    curves = {name: table[name + suffix] / factor for name in from_below(results, names)}
+    return _gauge_curves(time, time_label, curves, f"excess pore pressure [{prefix}Pa]")
 
 
 @style.styled
@@ -343,7 +349,7 @@ def sections(results):
     has_joints = any(name.endswith(".slip_max") for name in results.history)
     return [
         Section(
-            "displaced", "Deformed mesh", "Deformed mesh at the largest displacement and at the end, coloured by displacement.",
+            "displaced", "Deformed mesh", "Deformed mesh at the largest displacement and at the end, coloured by displacement; where a motion enters, seen from the base, the lowest nodes.",
             partial(displaced, results), common.NO_SNAPSHOTS,
         ),
         Section("yielding", "Yielding", "Equivalent plastic shear strain of the elements at the end.", partial(yielding, results), "No element has yielded."),

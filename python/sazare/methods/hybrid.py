@@ -112,18 +112,18 @@ def moving(results):
     if not chosen:
         return
     meshes, clouds = results.sides["continuum"].all_snapshots, results.sides["bodies"].all_snapshots
-    top, _ = style.clipped_top(np.concatenate([_speed(cloud) for _, _, cloud in chosen]))
+    top, clipped = style.clipped_top(np.concatenate([_speed(cloud) for _, _, cloud in chosen]))
     extent = _frame([mesh for _, mesh, _ in chosen], [cloud for _, _, cloud in chosen])
     for mesh, cloud in zip(meshes, clouds, strict=False):  # a run that was stopped may lack one
-        yield mesh.time, _moment((mesh.time, elements_once(mesh), elements_once(cloud)), top, extent)
+        yield mesh.time, _moment((mesh.time, elements_once(mesh), elements_once(cloud)), top, extent, clipped)
 
 
 @style.styled
-def _moment(frame, top, extent):
-    """A figure of both sides at one time."""
+def _moment(frame, top, extent, clipped):
+    """A figure of both sides at one time, with a scale of colours up to `top`, which may be clipped."""
     figure, panels = _in_plane([frame], top, extent) if fem.is_flat(frame[1]) else _in_space([frame], top)
     panels[0].set_title(style.quantity(frame[0], "s") if frame[0] else "0 s")
-    style.colorbar(figure, ScalarMappable(Normalize(0.0, top), style.SPEED), list(panels), "speed of the bodies [m/s]", False, shrink=0.9)
+    style.colorbar(figure, ScalarMappable(Normalize(0.0, top), style.SPEED), list(panels), "speed of the bodies [m/s]", clipped, shrink=0.9)
     return figure
 
 

@@ -5,8 +5,9 @@ from functools import partial
 import numpy as np
 
 from sazare import plot, style
+from sazare.base_motion import SeenFromBase
 from sazare.methods import Figure, Headline, Method, Section, common
-from sazare.moments import moments
+from sazare.moments import moments, movement
 from sazare.snapshots import elements_once
 
 ENERGIES = {
@@ -81,26 +82,28 @@ def _show(axes, frame, up):
     axes.label_outer()
 
 
-def _chosen(snapshots, sizes):
-    """Snapshots between which the particles move equally far, and the one of the largest displacement where it is another one."""
-    chosen = moments(snapshots, MOST_PANELS + 1)[1:]
+def _chosen(snapshots, sizes, base):
+    """Snapshots between which the particles move equally far, seen from the base, and the one of the largest displacement where it is another one."""
+    moved = movement(elements_once(snapshots[0]))
+    chosen = moments(snapshots, MOST_PANELS + 1, lambda before, after: moved(base.seen(before), base.seen(after)))[1:]
     largest = int(np.argmax(sizes))
     return chosen if max(sizes[number] for number in chosen) > 0.95 * sizes[largest] else sorted({*chosen[1:], largest})
 
 
 @style.styled
 def displaced(results):
-    """Particles at some times, coloured by displacement [m]; magnified where the title says so."""
+    """Particles at some times, coloured by displacement [m], relative to the base where a motion enters; magnified where the title says so."""
     snapshots = results.particle_snapshots
     if len(snapshots) < 2:
         return None
-    sizes = [np.linalg.norm(elements_once(snapshot).cell_data["displacement"], axis=1).max() for snapshot in snapshots]
-    chosen = _chosen(snapshots, sizes)
+    base = SeenFromBase(results)
+    sizes = [np.linalg.norm(base.mesh(snapshot).cell_data["displacement"], axis=1).max() for snapshot in snapshots]
+    chosen = _chosen(snapshots, sizes, base)
     points = _starts(snapshots[0].elements)
     up = _up(points)
     extent = max(np.ptp(points[:, 0]), np.ptp(points[:, up]), 1e-9)
     thin = np.ptp(points[:, 0]) < 0.05 * extent  # a column of layers: along x the displacement counts, not the shape
-    grids = [snapshots[index].elements for index in chosen]
+    grids = [base.mesh(snapshots[index]) for index in chosen]
     moved = [np.asarray(grid.cell_data["displacement"]) for grid in grids]
     factors = [common.enlargement(way, extent, largest=0.02, shown=0.04) for way in moved]
     places = [(way + [[0.0, 1.0, 1.0]] * points if thin else points + factor * way)[:, [0, up]] for way, factor in zip(moved, factors)]
@@ -129,7 +132,7 @@ def displaced(results):
             axes.set_xlabel("displacement [m]")
             axes.locator_params(axis="x", nbins=2)
         axes.set_title(style.quantity(snapshots[index].time, "s") + (f", × {factor:g}" if factor != 1.0 and not thin else ""))
-    style.colorbar(figure, drawn, list(panels), f"displacement [{prefix}m]", clipped)
+    style.colorbar(figure, drawn, list(panels), f"displacement{base.words} [{prefix}m]", clipped)
     return figure
 
 
@@ -169,7 +172,7 @@ def failure(results):
     snapshots = results.particle_snapshots
     if not len(snapshots) or "plastic_shear_strain" not in snapshots[-1].elements.cell_data:
         return None
-    grid = snapshots[-1].elements
+    grid = SeenFromBase(results).mesh(snapshots[-1])
     points = np.asarray(grid.points)
     columns = [0, _up(points)]
     moved = np.linalg.norm(grid.cell_data["displacement"], axis=1)
@@ -207,15 +210,14 @@ def stresses(results):
     figure = style.figure(9.0, 5.4 if tall else 0.3 + len(fields) * (room[1] + 0.6))
     for axes, (name, label, unit) in zip(np.ravel(figure.subplots(*shape, squeeze=False, sharex=True, sharey=True)), fields):
         values = np.asarray(grid.cell_data[name])
-        top, clipped = style.clipped_top(np.abs(values))
-        factor, prefix = style.prefix_for(top) if unit else (1.0, "")
-        low = -top if values.min(initial=0.0) < -0.02 * top else 0.0
-        drawn = axes.scatter(*points[:, columns].T, c=values / factor, cmap=style.SPEED, vmin=low / factor, vmax=top / factor, s=_marker(grid, frame, room), linewidths=0)
+        low, high = style.bulk(values)
+        factor, prefix = style.prefix_of([low, high]) if unit else (1.0, "")
+        drawn = axes.scatter(*points[:, columns].T, c=values / factor, cmap=style.SPEED, vmin=low / factor, vmax=high / factor, s=_marker(grid, frame, room), linewidths=0)
         _show(axes, frame, columns[1])
         if ratio > SLENDER:
             axes.set_aspect("auto")
         axes.set_title(label)
-        style.colorbar(figure, drawn, axes, f"[{prefix}{unit or '-'}]", clipped)
+        style.open_colorbar(figure, drawn, axes, values, factor, prefix, unit)
     figure.suptitle(style.quantity(snapshots[most].time, "s"))
     return figure
 
@@ -253,12 +255,13 @@ def measured(results):
     snapshots = results.particle_snapshots
     if len(snapshots) < 2:
         return []
-    grid = elements_once(snapshots[-1])
+    base = SeenFromBase(results)
+    grid = base.mesh(snapshots[-1])
     moved = np.asarray(grid.cell_data["displacement"])
     size = np.linalg.norm(moved, axis=1)
     found = [Headline(
         "final displacement", style.quantity(float(np.percentile(size, USUAL)), "m"),
-        f"99 % of the particles moved less; largest {style.quantity(float(size.max()), 'm')}",
+        f"99 % of the particles moved less{base.words}; largest {style.quantity(float(size.max()), 'm')}",
     )]
     if "plastic_shear_strain" in grid.cell_data:
         out = run_out(_starts(grid), np.asarray(grid.points), float(np.median(grid.cell_data["spacing"])))
@@ -273,7 +276,7 @@ def sections(results):
     """The pictures of a run."""
     failing = [
         Section(
-            "failure", "Failure", "Equivalent plastic shear strain, and share of broken links of each particle, at the end, where the particles moved.",
+            "failure", "Failure", "Equivalent plastic shear strain, and share of broken links of each particle, at the end, where the particles moved; where a motion enters, seen from the base.",
             partial(failure, results), common.NO_SNAPSHOTS,
         )
     ] if "energy_plastic" in results.history else []
@@ -285,12 +288,13 @@ def sections(results):
         *common.shaking_sections(results),
         *common.wave_sections(results),
         Section(
-            "displaced", "Displaced particles", "Particles at times between which they move equally far, and at the largest displacement. Displacements are magnified where "
-            "the title says so; single particles far from the others are out of the picture.",
+            "displaced", "Displaced particles", "Particles at times between which they move equally far, and at the largest displacement. Where a motion enters, they are "
+            "seen from the base, the lowest particles. Displacements are magnified where the title says so; single particles far from the others are out of the picture.",
             partial(displaced, results), common.NO_SNAPSHOTS,
         ),
         Section(
-            "stresses", "Stress and strain", "Equivalent shear strain, von Mises stress and pressure of the particles, in the snapshot in which the ground is sheared most.",
+            "stresses", "Stress and strain", "Equivalent shear strain, von Mises stress and pressure of the particles, in the snapshot in which the ground is sheared most. "
+            "Colours are for the bulk of the values: where the bar is open, few are far beyond it, as beside a border to much stiffer ground and at free surfaces.",
             partial(stresses, results), common.NO_SNAPSHOTS,
         ),
         *failing,

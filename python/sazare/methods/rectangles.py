@@ -6,7 +6,8 @@ import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.patches import Circle
 
-from sazare import plot, style
+from sazare import curve_styles, plot, style
+from sazare.ground_motion.gauges import from_below
 from sazare.methods import Figure, Method, Section, common
 from sazare.moments import moments
 
@@ -19,7 +20,6 @@ ENERGIES = {
     "energy_contact_dashpot": ("contact dashpots", style.CONTACT_DASHPOT),
     "energy_friction": ("contact friction", style.FRICTION),
 }
-MOST_GAUGES = 6
 MOST_PANELS = 4
 MANY, STRAY = 200, 0.5  # elements; percent of so many that a frame leaves out on each side
 RECTANGLE, CIRCLE, WALL, POLYGON = 0, 1, 2, 3
@@ -112,17 +112,18 @@ def support_names(results):
 @style.styled
 def supports(results):
     """Magnitude of the force [N] at every support against time."""
-    names, history = support_names(results), results.history
-    if not names or history.rows < 2:
+    every, history = support_names(results), results.history
+    if not every or history.rows < 2:
         return None
     time, time_label = plot.time_axis(history)
-    forces = {name: np.hypot(history[f"{name}.force_x"], history[f"{name}.force_y"]) for name in names}
+    forces = {name: np.hypot(history[f"{name}.force_x"], history[f"{name}.force_y"]) for name in every}
+    names = sorted(every, key=lambda name: -forces[name].max())[: curve_styles.MOST]
     factor, prefix = style.prefix_for(max(force.max() for force in forces.values()))
-    figure = style.figure(9.0, 3.6)
+    figure = curve_styles.figure(9.0, 3.6, len(names))
     axes = figure.subplots()
-    for name, force in forces.items():
-        peak = int(np.argmax(force))
-        axes.plot(time, force / factor, linewidth=1.1, label=f"{name}: peak {style.quantity(force[peak], 'N')}")
+    curve_styles.tell_left_out(figure, every, names, "history.csv")
+    for number, name in enumerate(name for name in every if name in names):
+        axes.plot(time, forces[name] / factor, linewidth=1.1, label=f"{name}: peak {style.quantity(forces[name].max(), 'N')}", **curve_styles.look(number))
     axes.set_xlabel(time_label)
     axes.set_ylabel(f"force [{prefix}N]")
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
@@ -133,24 +134,26 @@ def supports(results):
 @style.styled
 def gauges(results):
     """Displacement [m] and rotation [degrees] of the elements at the gauges against time."""
-    names, table = list(results.gauges)[:MOST_GAUGES], results.gauge_table
-    if not names or table.rows < 2:
+    every, table = from_below(results, list(results.gauges)), results.gauge_table
+    if not every or table.rows < 2:
         return None
+    names = curve_styles.spread(every)
     time, time_label = plot.time_axis(table)
-    figure = style.figure(9.0, 3.6)
+    figure = curve_styles.figure(9.0, 3.6, len(names))
     left, right = figure.subplots(1, 2)
     moved = {name: np.hypot(table[f"{name}.displacement_x"], table[f"{name}.displacement_y"]) for name in names}
     factor, prefix = style.prefix_for(max(way.max() for way in moved.values()))
-    for name, way in moved.items():
-        left.plot(time, way / factor, linewidth=1.2, label=name)
-        right.plot(time, np.degrees(table[f"{name}.rotation"]), linewidth=1.2)
+    for number, (name, way) in enumerate(moved.items()):
+        look = curve_styles.look(number)
+        left.plot(time, way / factor, linewidth=1.2, label=name, **look)
+        right.plot(time, np.degrees(table[f"{name}.rotation"]), linewidth=1.2, **look)
     left.set_ylabel(f"displacement [{prefix}m]")
     right.set_ylabel("rotation [degrees]")
-    left.legend()
+    curve_styles.legend(left, right)
     for axes in (left, right):
         axes.set_xlabel(time_label)
         axes.margins(x=0)
-    style.tell_left_out(figure, list(results.gauges), MOST_GAUGES, "gauges.csv")
+    curve_styles.tell_left_out(figure, every, names, "gauges.csv")
     return figure
 
 

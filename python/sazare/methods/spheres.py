@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 
-from sazare import plot, style
+from sazare import curve_styles, plot, style
 from sazare.methods import Figure, Method, Section, common
 from sazare.moments import growth, moments
 from sazare.style import quantity
@@ -219,7 +219,7 @@ def groups(results):
         left.margins(x=0)
     for axes in rows[-1]:
         axes.set_xlabel(time_label)
-    style.tell_left_out(figure, list(results.gauges), MOST_CURVES, "gauges.csv")
+    curve_styles.tell_left_out(figure, list(results.gauges), names, "gauges.csv")
     return figure
 
 
@@ -233,7 +233,7 @@ def walls(results):
     time, time_label = plot.time_axis(table)
     figure = style.figure(9.0, 3.4)
     axes = figure.subplots()
-    style.tell_left_out(figure, names, MOST_CURVES, "walls.csv")
+    curve_styles.tell_left_out(figure, names, names[:MOST_CURVES], "walls.csv")
     forces = {name: np.stack([table[f"{name}.force_{axis}"] for axis in AXES], axis=1) for name in names[:MOST_CURVES]}
     factor, prefix = style.prefix_of(*forces.values())
     for name, force in forces.items():

@@ -4,7 +4,7 @@ from functools import partial
 
 import numpy as np
 
-from sazare import style
+from sazare import curve_styles, style
 from sazare.methods import Figure, Method, Section, common, study_factors
 
 COLORS = ["#2f6f8f", "#b5472f", "#7a9a3f", "#8e7cc3", "#c9a66b", "#2b2b2b"]
@@ -44,11 +44,12 @@ def _lines(results, x, groups, panels, panel_name, select=None):
     values = [value for value in np.unique(columns[panels][kept])]
     figure = style.figure(9.0, 3.6)
     for axes, value in zip(_grid(figure, len(values)), values):
-        for color, group in zip(COLORS, np.unique(columns[groups][kept])):
+        for number, group in enumerate(np.unique(columns[groups][kept])):
+            look = curve_styles.look(number)
             rows = kept & (columns[panels] == value) & (columns[groups] == group)
             order = np.argsort(columns[x][rows])
-            axes.loglog(columns[x][rows][order], columns["limit"][rows][order], "o", color=color, markersize=3.5, label=f"{group:g}")
-            axes.loglog(columns[x][rows][order], columns["predicted"][rows][order], "-", color=color, linewidth=1.0)
+            axes.loglog(columns[x][rows][order], columns["limit"][rows][order], "o", color=look["color"], markersize=3.5)
+            axes.loglog(columns[x][rows][order], columns["predicted"][rows][order], linewidth=1.0, label=f"{group:g}", **look)
         axes.set_title(f"{family} waves, {panel_name} {value:g}")
         axes.set_xlabel(x if x != "radius" else "particle radius [m]")
         axes.legend(title=groups, fontsize=8)

@@ -12,6 +12,7 @@ from sazare.methods import Section, Sheet
 from sazare.style import count, quantity
 
 MOST_SHOWN = 6  # cases in a picture
+MOST_NAMED = 6  # cases in a sentence
 FOUND = ("bodies", "lower", "upper", "factor", "trials", "displacement", "elastic", "seconds")  # columns of study.csv that are no parameters
 ROW_OF_FAILED = 0.035  # height of the row in which the failed trials of a case stand, over that of the axes
 FAILED = {"linestyle": "none", "marker": "o", "markersize": 5, "fillstyle": "none"}
@@ -22,7 +23,7 @@ NOT_THERE = "-"
 
 @dataclass(frozen=True)
 class _Case:
-    """A case: its number, its name with its parameters, and its factor of safety with its bounds. `lower` is 0 where it failed in every trial,
+    """A case: its number, its name with number and parameters, and its factor of safety with its bounds. `lower` is 0 where it failed in every trial,
     `upper` infinite where it stood in every one, and `factor` is then not a number."""
 
     number: int
@@ -72,7 +73,8 @@ def _cases(results):
     table = results.study
     for row in range(table.rows):
         values = "".join(f", {name} = {_amount(table, name, row)}" for name in _parameters(table))
-        yield _Case(int(table["case"][row]), f"{table['family'][row]}{values}", *(float(table[name][row]) for name in ("lower", "upper", "factor")))
+        number = int(table["case"][row])
+        yield _Case(number, f"case {number}, {table['family'][row]}{values}", *(float(table[name][row]) for name in ("lower", "upper", "factor")))
 
 
 def _shown(cases):
@@ -129,9 +131,10 @@ def slip_surfaces(results):
         deep = np.ptp(table["z"]) > 0.0  # a body in space is seen from the front
         across = table["z"] if deep else table["y"]
         order = np.argsort(table["slip"])
+        top, clipped = style.clipped_top(table["slip"])
         spread = axes.scatter(table["x"][order], across[order], c=table["slip"][order], s=_dot(table["x"], across), cmap=style.SPEED, linewidths=0,
-                              vmax=max(np.quantile(table["slip"], 0.99), 1e-12))
-        figure.colorbar(spread, ax=axes, label="plastic shear strain", shrink=0.8)
+                              vmin=0.0, vmax=top)
+        style.colorbar(figure, spread, axes, "plastic shear strain [-]", clipped)
         axes.set_aspect("equal")
         axes.set_title(name)
         axes.set_xlabel("x [m]")
@@ -140,10 +143,11 @@ def slip_surfaces(results):
 
 
 def _outside(cases):
-    """How many cases have no factor between the bounds of the search, in words; "" where all have one."""
-    words = [case.factor_words() for case in cases if not case.is_bracketed]
-    told = ", ".join(f"{count(words.count(word))} {word}" for word in dict.fromkeys(words))
-    return f"The bounds of the search do not bracket the factors of {len(words)} of {len(cases)} cases ({told})." if words else ""
+    """Which cases have no factor between the bounds of the search, in words; "" where all have one."""
+    outside = [case for case in cases if not case.is_bracketed]
+    told = "; ".join(f"{case.name}: {case.factor_words()}" for case in outside[:MOST_NAMED])
+    more = f"; and {len(outside) - MOST_NAMED} more, see the table" if len(outside) > MOST_NAMED else ""
+    return f"The bounds of the search do not bracket the factors of {len(outside)} of {len(cases)} cases ({told}{more})." if outside else ""
 
 
 def sections(results):
@@ -187,5 +191,5 @@ def verdict(results):
         return "fair", "No case of the study is done."
     least, outside = min(cases, key=_Case.order), _outside(cases)
     fails = least.upper <= 1.0 if least.is_below else least.order() < 1.0
-    told = f"The smallest factor of safety is {least.factor_words()}{': this ground does not stand with the strength of its case' if fails else ''}."
+    told = f"The smallest factor of safety is {least.factor_words()} ({least.name}){': this ground does not stand with the strength of its case' if fails else ''}."
     return "bad" if fails else "fair" if least.is_below else "good", f"{told} {outside}".strip()

@@ -36,16 +36,47 @@ TETRAHEDRON = ([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], 10, [0, 1, 2, 3])
 
 @pytest.mark.parametrize("shape", [SQUARE, SIX_NODES, TETRAHEDRON])
 def test_meshes_are_drawn(shape):
-    results = SimpleNamespace(element_snapshots=[snapshot(time, *shape) for time in (0.0, 1.0)])
+    results = SimpleNamespace(case_text="", element_snapshots=[snapshot(time, *shape) for time in (0.0, 1.0)])
     figure = fem.displaced(results)
     assert "1 s, displacements × " in figure.axes[0].get_title(loc="left")
     assert fem.yielding(results) is not None
 
 
 def test_displacements_have_a_prefix_that_suits_them():
-    figure = fem.displaced(SimpleNamespace(element_snapshots=[snapshot(time, *SQUARE) for time in (0.0, 1.0)]))
+    figure = fem.displaced(SimpleNamespace(case_text="", element_snapshots=[snapshot(time, *SQUARE) for time in (0.0, 1.0)]))
     assert figure.axes[-1].get_ylabel() == "displacement [mm]"
     assert figure.axes[0].collections[0].get_array().max() == pytest.approx(7.5)  # three corners move by 10 mm
+
+
+def test_ground_on_a_moving_base_is_seen_from_there():
+    shots = [snapshot(time, *SQUARE) for time in (0.0, 1.0)]
+    for shot in shots:
+        shot.elements.point_data["displacement"][:, 0] = [2.0 * shot.time] * 2 + [2.004 * shot.time] * 2
+        shot.elements.points = np.array(SQUARE[0], dtype=float) + shot.elements.point_data["displacement"]
+    case = '[[motions]]\nname = "m"\n[[boundaries]]\ngroup = "bottom"\nmotion_x = "m"\n'
+    figure = fem.displaced(SimpleNamespace(case_text=case, element_snapshots=shots))
+    assert figure.axes[-1].get_ylabel() == "displacement relative to the base [mm]"
+    assert figure.axes[0].collections[0].get_array().max() == pytest.approx(2.0), "two of the corners moved by 4 mm against the base"
+    still = fem.displaced(SimpleNamespace(case_text="", element_snapshots=shots))
+    assert still.axes[-1].get_ylabel() == "displacement [m]" and still.axes[0].collections[0].get_array().max() == pytest.approx(2.002)
+
+
+def test_gauges_of_a_static_analysis_have_curves_that_differ():
+    time = np.linspace(0.0, 1.0, 5)
+    names = [f"g{number}" for number in range(12)]
+    table = Table({"time": time} | {f"{name}.displacement_{axis}": (number + 1.0) * time for number, name in enumerate(names) for axis in "xyz"})
+    figure = fem.displacements(SimpleNamespace(case_text="", gauges=dict.fromkeys(names), gauge_table=table))
+    lines = figure.axes[0].get_lines()
+    assert [line.get_label() for line in lines] == names and len({(line.get_color(), str(line.get_linestyle())) for line in lines}) == 12
+
+
+def test_joints_beyond_those_that_slip_most_are_told_of():
+    time = np.linspace(0.0, 1.0, 5)
+    names = [f"j{number}" for number in range(8)]
+    history = Table({"time": time} | {f"{name}.{key}": number * time for number, name in enumerate(names) for key in ("slip_max", "sliding_fraction", "open_fraction")})
+    figure = fem.joints(SimpleNamespace(history=history))
+    assert [line.get_label() for line in figure.axes[1].get_lines()] == names[:1:-1]
+    assert figure.get_supxlabel() == "2 more, j0, j1: see history.csv"
 
 
 def test_the_outline_of_a_quadratic_cell_goes_round():
@@ -65,9 +96,9 @@ def row_of_cells(ends):
 
 
 def test_cells_that_stand_for_ground_without_end_are_not_drawn():
-    figure = fem.yielding(SimpleNamespace(element_snapshots=[row_of_cells([-400.0, 0.0, 1.0, 2.0, 3.0, 7.0, 900.0])]))
+    figure = fem.yielding(SimpleNamespace(case_text="", element_snapshots=[row_of_cells([-400.0, 0.0, 1.0, 2.0, 3.0, 7.0, 900.0])]))
     assert figure.axes[0].get_xlim() == (0.0, 7.0)
-    whole = fem.yielding(SimpleNamespace(element_snapshots=[row_of_cells([0.0, 1.0, 2.0, 3.0])]))
+    whole = fem.yielding(SimpleNamespace(case_text="", element_snapshots=[row_of_cells([0.0, 1.0, 2.0, 3.0])]))
     low, high = whole.axes[0].get_xlim()
     assert low <= 0.0 and high >= 3.0
 

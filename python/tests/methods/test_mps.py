@@ -135,6 +135,46 @@ def test_a_stray_particle_sets_neither_the_frame_nor_the_colors(slide):
     assert "clipped" in mps.failure(slide).axes[-2].get_ylabel()
 
 
+def test_ground_on_a_moving_base_is_seen_from_there(slide):
+    def moved(case):
+        (slide.path / "case.toml").write_text(case)
+        return open_run(slide.path)
+
+    start = heap()
+    ground, slip = np.array([5.0, 0.0, 0.0]), np.where((start[:, :1] > 2.0) & (start[:, 1:2] > 0.5), [[1.5, 0.0, 0.0]], 0.0)
+    for number, share in enumerate((0.0, 0.5, 1.0)):
+        way = share * (ground + slip)
+        write_grid(slide.path / "snapshots" / f"particles_{number:05d}.vtkhdf", start + way, np.arange(len(start))[:, None], 1, float(number), {
+            "displacement": way, "velocity": way, "spacing": np.full(len(start), SPACING), "plastic_shear_strain": np.zeros(len(start)), "broken_fraction": np.zeros(len(start)),
+        })
+    shaken = moved('[[boundaries]]\nside = "bottom"\nmotion_x = "quake"\n')
+    figure = mps.displaced(shaken)
+    values = np.asarray(figure.axes[-2].collections[0].get_array())
+    assert figure.axes[-1].get_ylabel().startswith("displacement relative to the base [m]")
+    assert values == pytest.approx(np.linalg.norm(slip, axis=1), abs=1e-6), "in m; what did not slide has the colour of 0"
+    assert figure.axes[0].get_xlim()[1] < 6.5, "where the ground was, and how far it slid"
+    final, out = mps.measured(shaken)[:2]
+    assert final.value == "1.5 m" and "relative to the base" in final.note
+    assert out.name == "run-out" and float(out.value.split()[0]) == pytest.approx(1.5, abs=2 * SPACING)
+    assert mps.displaced(moved("")).axes[-1].get_ylabel().startswith("displacement [m]")
+
+
+def test_a_row_beside_stiff_ground_does_not_set_the_colors_of_stress(slide):
+    start = heap()
+    stress = np.where(np.isclose(start[:, 1], 0.25), 4e6, 1e5 * (1.0 - start[:, 1]))
+    write_grid(slide.path / "snapshots" / "particles_00002.vtkhdf", start, np.arange(len(start))[:, None], 1, 2.0, {
+        "displacement": np.zeros_like(start), "spacing": np.full(len(start), SPACING), "equivalent_shear_strain": np.full(len(start), 1e-3),
+        "von_mises_stress": stress, "pressure": 1e5 * (start[:, 1] - 0.4) * np.where(np.isclose(start[:, 1], 0.05), 50.0, 1.0),
+    })
+    for number in (0, 1):
+        (slide.path / "snapshots" / f"particles_{number:05d}.vtkhdf").unlink()
+    figure = mps.stresses(open_run(slide.path))
+    _, mises, pressure = (axes.collections[0] for axes in figure.axes[:3])
+    assert mises.get_clim()[0] == 0.0 and 90.0 < mises.get_clim()[1] < 300.0 and mises.colorbar.extend == "max"
+    assert "largest 4 MPa" in figure.axes[4].get_ylabel()
+    assert -200.0 < pressure.get_clim()[0] < -20.0 and pressure.colorbar.extend == "min"
+
+
 def test_supports_are_marked_as_large_as_particles(slide):
     axes = mps.supports(slide).axes[0]
     assert [text.get_text() for text in axes.get_legend().get_texts()] == ["free: 360", "held: 40"]

@@ -58,7 +58,7 @@ def rows_of(page):
 
 def test_report_has_the_factors_and_their_pictures(factor_study):
     page = write_report(factor_study).read_text()
-    assert f"The smallest factor of safety is {1.375:.3g}." in page
+    assert f"The smallest factor of safety is {1.375:.3g} (case 0, slope, cohesion = 10 kPa)." in page
     assert [row[2:4] for row in rows_of(page)] == [["10 kPa", "1.375"], ["12 kPa", "1.630"]]
     assert sorted(path.stem for path in (factor_study / "report").glob("*.png")) == ["displacements", "slip"]
 
@@ -94,7 +94,7 @@ def test_trials_that_failed_are_open_circles_at_the_upper_edge(factor_study):
 
 def test_parameters_have_their_units(factor_study):
     legend = [text.get_text() for text in study_factors.displacements(open_run(factor_study)).legends[0].get_texts()]
-    assert legend[:2] == [f"slope, cohesion = 10 kPa: F = {1.375:.3g}", "dam, cohesion = 12 kPa: F = 1.63"]
+    assert legend[:2] == [f"case 0, slope, cohesion = 10 kPa: F = {1.375:.3g}", "case 1, dam, cohesion = 12 kPa: F = 1.63"]
     titles = [axes.get_title(loc="left") for axes in study_factors.slip_surfaces(open_run(factor_study)).axes if axes.get_xlabel() == "x [m]"]
     assert titles == legend[:2]
 
@@ -108,7 +108,7 @@ def test_units_that_a_study_does_not_give_are_those_of_the_keys(factor_study, he
     table = factor_study / "study.csv"
     table.write_text(table.read_text().replace("cohesion [Pa]", head))
     legend = study_factors.displacements(open_run(factor_study)).legends[0].get_texts()
-    assert legend[0].get_text() == f"slope, {words}: F = {1.375:.3g}"
+    assert legend[0].get_text() == f"case 0, slope, {words}: F = {1.375:.3g}"
 
 
 def test_without_the_engine_keys_have_no_units(monkeypatch):
@@ -134,7 +134,8 @@ def test_factors_beyond_the_bounds_are_told_in_words(unbracketed):
     page = write_report(unbracketed).read_text()
     rows = rows_of(page)
     assert [row[3:7] for row in rows[2:]] == [["below 0.5", "-", "0.5000", "-"], ["above 4", "4.000", "-", "8.1 mm"]]
-    assert "The bounds of the search do not bracket the factors of 2 of 4 cases (1 below 0.5, 1 above 4)." in page
+    told = "The bounds of the search do not bracket the factors of 2 of 4 cases "
+    assert f"{told}(case 2, mud, cohesion = 1 kPa: below 0.5; case 3, rock, cohesion = 1 MPa: above 4)." in page
     assert "nan" not in page.split("base64")[0] and not any("nan" in cell or "inf" in cell for row in rows for cell in row)
 
 
@@ -144,12 +145,12 @@ def test_factors_beyond_the_bounds_have_no_curve(unbracketed):
     assert curves_and_failed(figure.axes[0])[0] == [[1.0, 1.37], [1.0, 1.62]]
     assert not any(word in text.get_text() for text in figure.legends[0].get_texts() for word in ("mud", "rock"))
     titles = [axes.get_title(loc="left") for axes in study_factors.slip_surfaces(results).axes if axes.get_xlabel() == "x [m]"]
-    assert titles[2:] == ["mud, cohesion = 1 kPa: F below 0.5"], "it failed, and shows where; the rock never did"
+    assert titles[2:] == ["case 2, mud, cohesion = 1 kPa: F below 0.5"], "it failed, and shows where; the rock never did"
 
 
 @pytest.mark.parametrize(("kept", "tone", "sentence"), [
-    ([0, 1, 2, 3], "bad", "is below 0.5: this ground does not stand with the strength of its case."),
-    ([0, 1, 3], "good", f"is {1.375:.3g}."), ([3], "good", "is above 4."),
+    ([0, 1, 2, 3], "bad", "is below 0.5 (case 2, mud, cohesion = 1 kPa): this ground does not stand with the strength of its case."),
+    ([0, 1, 3], "good", f"is {1.375:.3g} (case 0, slope, cohesion = 10 kPa)."), ([3], "good", "is above 4 (case 3, rock, cohesion = 1 MPa)."),
 ])
 def test_the_smallest_factor_may_lie_beyond_the_bounds(unbracketed, kept, tone, sentence):
     head, *rows = (unbracketed / "study.csv").read_text().splitlines()
@@ -164,6 +165,13 @@ def test_a_study_without_a_bracketed_factor_has_no_curves(unbracketed):
     page = write_report(unbracketed).read_text()
     assert sorted(path.stem for path in (unbracketed / "report").glob("*.png")) == ["slip"]
     assert "Displacement against the factor: The bounds of the search do not bracket the factors of 2 of 2 cases" in page
+
+
+def test_of_many_cases_beyond_the_bounds_the_first_are_named(unbracketed):
+    with (unbracketed / "study.csv").open("a") as file:
+        file.writelines(f"{number},rock,{number}e6,4.0,4,inf,-nan,2.0,0.0081,0.008,1.5\n" for number in range(4, 10))
+    words = study_factors.verdict(open_run(unbracketed))[1]
+    assert "8 of 10 cases (case 2, mud" in words and "; case 7, rock, cohesion = 7 MPa: above 4; and 2 more, see the table)." in words
 
 
 def test_a_body_in_space_is_seen_from_the_front(factor_study):
