@@ -97,30 +97,42 @@ class Material(Part):
     """Slip across a shear band over which the strength would fall to the residual one at the rate at which it begins to; it does
     not depend on the spacing. [m] (required with a residual_cohesion or a residual_friction_angle) Greater than 0.
     """
-    backbone: Literal["hyperbolic", "ramberg_osgood", "table"] | None = None
+    backbone: Literal["hyperbolic", "ramberg_osgood", "table", "general_hyperbolic"] | None = None
     """Soil that degrades with shear strain and dissipates by Masing's rules: stress of a first loading in shear, a hyperbola, the
-    curve of Ramberg and Osgood, or a table of G/G0. G0 is the shear modulus of the elastic material. (default: the stiffness
-    does not depend on the strain; not with a cohesion)
+    curve of Ramberg and Osgood, a table of G/G0, or the general hyperbolic equation (GHE). G0 is the shear modulus of the
+    elastic material. (default: the stiffness does not depend on the strain; not with a cohesion)
     """
     reference_strain: float | None = None
     """Shear strain at which G/G0 = 0.5. (hyperbolic and ramberg_osgood; default of hyperbolic: shear_strength/G0) Greater than 0
     and at most 1.
     """
     shear_strength: float | None = None
-    """Shear strength, at which the backbone ends. [Pa] (with a backbone; required for ramberg_osgood; default of hyperbolic: G0
-    reference_strain, of a table: the stress of its last row) Greater than 0.
+    """Shear strength, at which the backbone ends. [Pa] (with a backbone; required for ramberg_osgood and general_hyperbolic;
+    default of hyperbolic: G0 reference_strain, of a table: the stress of its last row) Greater than 0.
     """
     ramberg_osgood_exponent: float | None = None
     """Exponent r of strain = stress/G0 (1 + (2 stress/(G0 reference_strain))^(r - 1)). (required for ramberg_osgood) Greater than
     1 and at most 20.
     """
+    ghe_c1_end: float | None = None
+    """C1 of the general hyperbolic equation at large strains; at none it is 1. (required for general_hyperbolic) Greater than 0.
+    """
+    ghe_c2_begin: float | None = None
+    """C2 of the general hyperbolic equation at no strain. (required for general_hyperbolic) Greater than 0."""
+    ghe_c2_end: float | None = None
+    """C2 of the general hyperbolic equation at large strains. (required for general_hyperbolic) Greater than 0."""
+    ghe_alpha: float | None = None
+    """Strain over reference strain (shear_strength/G0) at which C1 is half way. (required for general_hyperbolic) Greater than 0.
+    """
+    ghe_beta: float | None = None
+    """Strain over reference strain at which C2 is half way. (required for general_hyperbolic) Greater than 0."""
     modulus_reduction: str | None = None
     """CSV with the header "shear_strain [-],modulus_ratio [-]", strains in - or %: G/G0 falls from 1. A third column
     "damping_ratio [-]" (or %) is only compared with what Masing's rules give. (required for a table)
     """
     yield_surfaces: int | None = None
-    """Number of elastic-perfectly plastic parts, which are the corners of the backbone; a table has one for each row. (hyperbolic
-    and ramberg_osgood) Default: 30. At least 3 and at most 200.
+    """Number of elastic-perfectly plastic parts, which are the corners of the backbone; a table has one for each row. (not of a
+    table) Default: 30. At least 3 and at most 200.
     """
 
 

@@ -64,6 +64,8 @@ laws::BackboneCurve backbone_of(const SoilBackbone& soil, Real modulus) {
     const auto points = points_of(soil.reduction, modulus);
     return {modulus, points, soil.shear_strength.value_or(points.back().stress)};
   }
+  if (soil.backbone == BackboneKind::general_hyperbolic)
+    return laws::general_hyperbolic_curve(modulus, soil.hyperbola, *soil.shear_strength, soil.yield_surfaces);
   const Real reference = soil.reference_strain ? *soil.reference_strain : *soil.shear_strength / modulus;
   const Real strength = soil.shear_strength.value_or(modulus * reference);
   if (soil.backbone == BackboneKind::hyperbolic) return laws::hyperbolic_curve(modulus, reference, strength, soil.yield_surfaces);

@@ -12,7 +12,7 @@
 
 namespace sazare::cases {
 
-enum class BackboneKind { hyperbolic, ramberg_osgood, table };
+enum class BackboneKind { hyperbolic, ramberg_osgood, table, general_hyperbolic };
 
 /// Rows of a table of G/G0 over shear strain.
 struct ModulusReduction {
@@ -28,6 +28,7 @@ struct SoilBackbone {
   std::optional<Real> reference_strain;  // of shear, where G/G0 = 0.5
   std::optional<Real> shear_strength;    // Pa
   Real ramberg_osgood_exponent = 0;
+  laws::GeneralHyperbola hyperbola;         // of the general hyperbolic equation
   std::filesystem::path modulus_reduction;  // of a table
   int yield_surfaces = 0;
   ModulusReduction reduction;  // what the file holds

@@ -8,11 +8,40 @@
 namespace sazare::cases {
 namespace {
 
+const std::vector<std::string_view> ghe_keys{"ghe_c1_end", "ghe_c2_begin", "ghe_c2_end", "ghe_alpha", "ghe_beta"};
+
+/// A curve of the general hyperbolic equation that begins stiffer than G0, or falls, is none that the soil can follow.
+void check_hyperbola(const CheckContext& context, const Entry& entry, const SoilBackbone& soil) {
+  for (const std::string_view key : ghe_keys)
+    if (!entry.gives(key)) return;
+  const laws::GeneralHyperbola& form = soil.hyperbola;
+  constexpr int points = 100;
+  const Real end = form.strain_at(1);
+  Real before = 0, at = 0;
+  for (const Real strain : laws::spaced_strains(laws::first_curve_strain, laws::last_curve_strain, points)) {
+    if (strain > end) break;
+    const Real stress = form.stress(strain);
+    if (stress < before || stress > strain * (1 + 1e-9)) {
+      context.problems.error(
+          entry.place("backbone"),
+          fmt::format("the general hyperbolic equation gives a stress of {} times the strength at {} times the "
+                      "reference strain, and {} before, at {}",
+                      short_number(stress, 4), short_number(strain, 3), short_number(before, 4), short_number(at, 3)),
+          "a first loading must not fall, nor be stiffer than G0: check the coefficients");
+      return;
+    }
+    before = stress, at = strain;
+  }
+}
+
 void check_backbone_keys(const CheckContext& context, const Entry& entry, const SoilBackbone& soil) {
   if (!soil.degrades)
     return check_keys(context, entry, "a material without backbone", {},
-                      {"reference_strain", "shear_strength", "ramberg_osgood_exponent", "modulus_reduction", "yield_surfaces"},
+                      {"reference_strain", "shear_strength", "ramberg_osgood_exponent", "modulus_reduction", "yield_surfaces",
+                       "ghe_c1_end", "ghe_c2_begin", "ghe_c2_end", "ghe_alpha", "ghe_beta"},
                       "give the material a backbone, or remove it");
+  if (soil.backbone != BackboneKind::general_hyperbolic)
+    check_keys(context, entry, "another backbone than general_hyperbolic", {}, ghe_keys, "remove it");
   switch (soil.backbone) {
     case BackboneKind::hyperbolic:
       check_keys(context, entry, "a hyperbolic backbone", {}, {"ramberg_osgood_exponent", "modulus_reduction"});
@@ -23,6 +52,12 @@ void check_backbone_keys(const CheckContext& context, const Entry& entry, const 
     case BackboneKind::ramberg_osgood:
       check_keys(context, entry, "a backbone of Ramberg and Osgood",
                  {"reference_strain", "ramberg_osgood_exponent", "shear_strength"}, {"modulus_reduction"});
+      break;
+    case BackboneKind::general_hyperbolic:
+      check_keys(context, entry, "a backbone of the general hyperbolic equation",
+                 {"shear_strength", "ghe_c1_end", "ghe_c2_begin", "ghe_c2_end", "ghe_alpha", "ghe_beta"},
+                 {"reference_strain", "ramberg_osgood_exponent", "modulus_reduction"});
+      check_hyperbola(context, entry, soil);
       break;
     case BackboneKind::table:
       check_keys(context, entry, "a backbone from a table", {"modulus_reduction"},
@@ -103,7 +138,7 @@ void check_soil(const CheckContext& context, const Entry& entry, const SoilMater
                            "keep one of them: a backbone ends in its own shear_strength");
   if (soil.backbone == BackboneKind::table)
     check_table(context, entry, material, soil);
-  else if (material.modulus_is_known)
+  else if (material.modulus_is_known && soil.backbone != BackboneKind::general_hyperbolic)
     check_strength_of_formula(context, entry, material.shear_modulus, soil);
   check_corners(context, entry, soil);
 }

@@ -8,7 +8,7 @@ namespace sazare::cases {
 
 template <>
 struct EnumWords<BackboneKind> {
-  static constexpr std::array<std::string_view, 3> words{"hyperbolic", "ramberg_osgood", "table"};
+  static constexpr std::array<std::string_view, 4> words{"hyperbolic", "ramberg_osgood", "table", "general_hyperbolic"};
 };
 
 template <class Visitor>
@@ -19,6 +19,15 @@ void visit_backbone(Visitor& visit, SoilBackbone& soil) {
   visit("shear_strength", soil.shear_strength);
   if (soil.backbone == BackboneKind::table) {
     visit("modulus_reduction", soil.modulus_reduction);
+    return;
+  }
+  if (soil.backbone == BackboneKind::general_hyperbolic) {
+    visit("ghe_c1_end", soil.hyperbola.first_end);
+    visit("ghe_c2_begin", soil.hyperbola.second_begin);
+    visit("ghe_c2_end", soil.hyperbola.second_end);
+    visit("ghe_alpha", soil.hyperbola.first_change);
+    visit("ghe_beta", soil.hyperbola.second_change);
+    visit("yield_surfaces", soil.yield_surfaces);
     return;
   }
   visit("reference_strain", soil.reference_strain);

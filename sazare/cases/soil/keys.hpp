@@ -8,7 +8,7 @@
 /// Keys of soil that degrades with strain.
 namespace sazare::cases {
 
-inline constexpr std::array<std::string_view, 3> backbones{"hyperbolic", "ramberg_osgood", "table"};
+inline constexpr std::array<std::string_view, 4> backbones{"hyperbolic", "ramberg_osgood", "table", "general_hyperbolic"};
 
 inline constexpr std::array soil_keys{
     Key{.name = "backbone",
@@ -16,7 +16,8 @@ inline constexpr std::array soil_keys{
         .note = "default: the stiffness does not depend on the strain; not with a cohesion",
         .sentence =
             "Soil that degrades with shear strain and dissipates by Masing's rules: stress of a first loading in shear, a "
-            "hyperbola, the curve of Ramberg and Osgood, or a table of G/G0. G0 is the shear modulus of the elastic material.",
+            "hyperbola, the curve of Ramberg and Osgood, a table of G/G0, or the general hyperbolic equation (GHE). G0 is the "
+            "shear modulus of the elastic material.",
         .choices = backbones},
     Key{.name = "reference_strain",
         .type = Type::number,
@@ -29,15 +30,40 @@ inline constexpr std::array soil_keys{
         .unit = "Pa",
         .range = positive,
         .usual = usual::strength,
-        .note =
-            "with a backbone; required for ramberg_osgood; default of hyperbolic: G0 reference_strain, of a table: the stress of "
-            "its last row",
+        .note = "with a backbone; required for ramberg_osgood and general_hyperbolic; default of hyperbolic: G0 "
+                "reference_strain, of a table: the stress of "
+                "its last row",
         .sentence = "Shear strength, at which the backbone ends."},
     Key{.name = "ramberg_osgood_exponent",
         .type = Type::number,
         .range = {.low = 1, .high = 20, .low_open = true},
         .note = "required for ramberg_osgood",
         .sentence = "Exponent r of strain = stress/G0 (1 + (2 stress/(G0 reference_strain))^(r - 1))."},
+    Key{.name = "ghe_c1_end",
+        .type = Type::number,
+        .range = positive,
+        .note = "required for general_hyperbolic",
+        .sentence = "C1 of the general hyperbolic equation at large strains; at none it is 1."},
+    Key{.name = "ghe_c2_begin",
+        .type = Type::number,
+        .range = positive,
+        .note = "required for general_hyperbolic",
+        .sentence = "C2 of the general hyperbolic equation at no strain."},
+    Key{.name = "ghe_c2_end",
+        .type = Type::number,
+        .range = positive,
+        .note = "required for general_hyperbolic",
+        .sentence = "C2 of the general hyperbolic equation at large strains."},
+    Key{.name = "ghe_alpha",
+        .type = Type::number,
+        .range = positive,
+        .note = "required for general_hyperbolic",
+        .sentence = "Strain over reference strain (shear_strength/G0) at which C1 is half way."},
+    Key{.name = "ghe_beta",
+        .type = Type::number,
+        .range = positive,
+        .note = "required for general_hyperbolic",
+        .sentence = "Strain over reference strain at which C2 is half way."},
     Key{.name = "modulus_reduction",
         .type = Type::file,
         .note = "required for a table",
@@ -48,7 +74,7 @@ inline constexpr std::array soil_keys{
         .type = Type::integer,
         .range = {.low = 3, .high = 200},
         .default_text = "30",
-        .note = "hyperbolic and ramberg_osgood",
+        .note = "not of a table",
         .sentence =
             "Number of elastic-perfectly plastic parts, which are the corners of the backbone; a table has one for each row."},
 };

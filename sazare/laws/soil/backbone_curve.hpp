@@ -10,16 +10,23 @@
 /// The lines between go through neighbouring points of the curve. The first and the last of them are extended to the line of G0
 /// and to that of the strength, so that the polygon passes through all points, begins with G0 and ends at S.
 ///
-/// Curves, both with G/G0 = t/(G0 g) = 1/2 at the reference strain g_r:
+/// Curves, the first two with G/G0 = t/(G0 g) = 1/2 at the reference strain g_r:
 ///
-///     hyperbolic        t = G0 g/(1 + g/g_r), S = G0 g_r                [HardinDrnevich1972]
-///     Ramberg-Osgood    g = t/G0 (1 + (2 t/(G0 g_r))^(r - 1))           [RambergOsgood1943]
+///     hyperbolic          t = G0 g/(1 + g/g_r), S = G0 g_r                [HardinDrnevich1972]
+///     Ramberg-Osgood      g = t/G0 (1 + (2 t/(G0 g_r))^(r - 1))           [RambergOsgood1943]
+///     general hyperbolic  t = S y,  y = x/(1/c_1 + x/c_2),  x = g/g_r,  g_r = S/G0                      [TatsuokaShibuya1992]
+///                         c_1 = (C_10 + C_1i)/2 + (C_10 - C_1i)/2 cos(pi/(a/x + 1)),  c_2 likewise with C_20, C_2i and b
+///
+/// The general hyperbolic equation is the hyperbola with all C = 1. C_10 is 1, so that it begins with G0; C_20 is c_2 at no
+/// strain and C_1i, C_2i both at large ones, where it is cut off at S.
 ///
 /// Masing's rules: after a reversal the curve is the backbone at twice its size from there. Of a closed cycle between -g and g
 /// they give the damping ratio D = dW/(4 pi W) = 2/pi (2 A/(g t) - 1) with A, the area under the backbone up to g, and W = g t/2.
 /// Masing, Proc. 2nd Int. Congress of Applied Mechanics (1926) 332-335.
 ///
 /// [HardinDrnevich1972] J. Soil Mech. Found. Div. ASCE 98 (1972) 667-692. [RambergOsgood1943] NACA Technical Note 902 (1943).
+/// [TatsuokaShibuya1992] Deformation characteristics of soils and rocks from field and laboratory tests. Report of the Institute
+/// of Industrial Science, University of Tokyo, 37, No. 1 (1992).
 
 #include <algorithm>
 #include <cmath>
@@ -173,6 +180,46 @@ inline BackboneCurve ramberg_osgood_curve(Real shear_modulus, Real reference_str
     }
     return 0.5 * (low + high);
   });
+}
+
+/// Coefficients of the general hyperbolic equation; C_10 is 1.
+struct GeneralHyperbola {
+  Real first_end = 1;      ///< C_1i [-]
+  Real second_begin = 1;   ///< C_20 [-]
+  Real second_end = 1;     ///< C_2i [-]
+  Real first_change = 1;   ///< a [-]
+  Real second_change = 1;  ///< b [-]
+
+  /// y of x, before it is cut off at 1.
+  Real stress(Real strain) const {
+    const auto between = [&](Real begin, Real end, Real change) {
+      return 0.5 * (begin + end) + 0.5 * (begin - end) * std::cos(std::numbers::pi / (change / strain + 1));
+    };
+    return strain / (1 / between(1, first_end, first_change) + strain / between(second_begin, second_end, second_change));
+  }
+  /// Where y reaches a value first; none where it does not below the largest strain of a curve.
+  Real strain_at(Real stress_sought) const {
+    Real low = 0, high = last_curve_strain;
+    for (const Real strain : spaced_strains(first_curve_strain, last_curve_strain, 400))
+      if (stress(strain) >= stress_sought) {
+        high = strain;
+        break;
+      } else {
+        low = strain;
+      }
+    for (int halving = 0; halving < 60; ++halving) {
+      const Real middle = 0.5 * (low + high);
+      (stress(middle) < stress_sought ? low : high) = middle;
+    }
+    return high;
+  }
+};
+
+/// The curve of the general hyperbolic equation, cut off at the strength.
+inline BackboneCurve general_hyperbolic_curve(Real shear_modulus, const GeneralHyperbola& form, Real strength, int corners) {
+  const Real reference = strength / shear_modulus;
+  return curve_through(shear_modulus, reference, corners, strength, form.strain_at(1) * reference,
+                       [&](Real strain) { return strength * form.stress(strain / reference); });
 }
 
 }  // namespace sazare::laws

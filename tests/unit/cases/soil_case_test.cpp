@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
+#include <numbers>
 
 #include "case_folder.hpp"
 #include "sazare/methods/fem/case/format.hpp"
@@ -41,6 +43,10 @@ laws::BackboneCurve curve_of(const CaseFolder& folder, const std::string& keys) 
   return backbone_of(material, material.shear_modulus());
 }
 
+constexpr const char* ghe =
+    "backbone = \"general_hyperbolic\"\nshear_strength = 40e3\nghe_c1_end = 0.17\nghe_c2_begin = 0.83\nghe_c2_end = 2.5\n"
+    "ghe_alpha = 2.86\nghe_beta = 3.229\n";
+
 TEST(SoilCase, HasTheCurveOfItsKeys) {
   const CaseFolder folder;
   const auto hyperbola = curve_of(folder, "backbone = \"hyperbolic\"\nreference_strain = 1e-3\n");
@@ -53,6 +59,12 @@ TEST(SoilCase, HasTheCurveOfItsKeys) {
       folder, "backbone = \"ramberg_osgood\"\nreference_strain = 1e-3\nramberg_osgood_exponent = 2.5\nshear_strength = 50e3\n");
   EXPECT_NEAR(power.strength(), 50e3, 1e-6);
   EXPECT_NEAR(power.stress(1e-3), 20e3, 400);
+  const auto general = curve_of(folder, ghe);
+  EXPECT_NEAR(general.strength(), 40e3, 1e-6);
+  EXPECT_NEAR(
+      general.stress(1e-3),
+      40e3 / (1 / (0.585 + 0.415 * std::cos(std::numbers::pi / 3.86)) + 1 / (1.665 - 0.835 * std::cos(std::numbers::pi / 4.229))),
+      400);
 }
 
 TEST(SoilCase, TakesATableInPercent) {
@@ -72,6 +84,7 @@ const std::array soils_of_each_backbone{
     "backbone = \"hyperbolic\"\nshear_strength = 4e4\n",
     "backbone = \"ramberg_osgood\"\nreference_strain = 1e-3\nramberg_osgood_exponent = 2.5\nshear_strength = 50e3\n",
     "backbone = \"table\"\nmodulus_reduction = \"curve.csv\"\nshear_strength = 60e3\n",
+    ghe,
 };
 
 TEST(SoilCase, ReadsBackToTheSameCase) {

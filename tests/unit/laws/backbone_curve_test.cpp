@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 namespace sazare::laws {
 namespace {
 
@@ -41,6 +44,30 @@ TEST(backbone_curve, gives_back_ramberg_and_osgood) {
     EXPECT_NEAR(stress / modulus * (1 + std::pow(2 * stress / strength, exponent - 1)), strain, 1e-9 * strain);
   }
   EXPECT_NEAR(curve.stress(10 * end), limit, 1e-9 * limit);
+}
+
+TEST(backbone_curve, of_the_general_hyperbolic_equation_is_the_hyperbola_where_all_its_coefficients_are_1) {
+  const BackboneCurve curve = general_hyperbolic_curve(modulus, {}, strength, corners);
+  for (const Real strain : spaced_strains(0.02 * reference, 50 * reference, corners))
+    EXPECT_NEAR(curve.stress(strain), hyperbola(strain), 1e-12 * strength);
+}
+
+/// With coefficients of sand: y = x/(1/c_1 + x/c_2) up to the strength, and concave.
+TEST(backbone_curve, of_the_general_hyperbolic_equation_begins_with_g0_and_ends_in_the_strength) {
+  const GeneralHyperbola sand{0.17, 0.83, 2.5, 2.86, 3.229};
+  const BackboneCurve curve = general_hyperbolic_curve(modulus, sand, strength, 100);
+  EXPECT_EQ(curve.shear_modulus(), modulus);
+  EXPECT_NEAR(curve.stress(1), strength, 1e-9 * strength);
+  const Real end = sand.strain_at(1);
+  EXPECT_GT(end, 4.5);
+  EXPECT_LT(end, 5.5);
+  EXPECT_NEAR(sand.stress(end), 1, 1e-9);
+  for (const Real x : {0.05, 0.3, 1.0, 2.86, 4.5}) {
+    const Real c1 = 0.585 + 0.415 * std::cos(std::numbers::pi / (2.86 / x + 1)),
+               c2 = 1.665 - 0.835 * std::cos(std::numbers::pi / (3.229 / x + 1));
+    EXPECT_NEAR(curve.stress(x * reference), strength * x / (1 / c1 + x / c2), 0.005 * strength) << x;
+  }
+  for (std::size_t i = 1; i < curve.slope().size(); ++i) EXPECT_LT(curve.slope()[i], curve.slope()[i - 1]);
 }
 
 TEST(backbone_curve, is_cut_off_at_a_lower_strength) {
