@@ -137,8 +137,7 @@ void describe(CLI::App& app, Arguments& arguments) {
          "with mpirun: how the work is distributed over ranks: graph (each time level evenly with few links between ranks, by "
          "METIS; the default where it is installed), by_level (each time level evenly; the default elsewhere), predicted, "
          "measured, fixed, printed and printed_fixed (as Konno and others 2018 have it), or random (a trial); spheres: fixed, "
-         "random, or "
-         "measured with any other word")
+         "random, or measured with any other word")
       ->check(CLI::IsMember(std::vector<std::string>(distribute::policy_names.begin(), distribute::policy_names.end())))
       ->type_name("POLICY");
   run.add_option("--balance-interval", arguments.run.balance_interval,

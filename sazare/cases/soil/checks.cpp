@@ -8,7 +8,14 @@
 namespace sazare::cases {
 namespace {
 
-const std::vector<std::string_view> ghe_keys{"ghe_c1_end", "ghe_c2_begin", "ghe_c2_end", "ghe_alpha", "ghe_beta"};
+using Names = std::vector<std::string_view>;
+
+const Names ghe_keys{"ghe_c1_end", "ghe_c2_begin", "ghe_c2_end", "ghe_alpha", "ghe_beta"};
+
+Names with_ghe_keys(Names names) {
+  names.insert(names.end(), ghe_keys.begin(), ghe_keys.end());
+  return names;
+}
 
 /// A curve of the general hyperbolic equation that begins stiffer than G0, or falls, is none that the soil can follow.
 void check_hyperbola(const CheckContext& context, const Entry& entry, const SoilBackbone& soil) {
@@ -36,10 +43,10 @@ void check_hyperbola(const CheckContext& context, const Entry& entry, const Soil
 
 void check_backbone_keys(const CheckContext& context, const Entry& entry, const SoilBackbone& soil) {
   if (!soil.degrades)
-    return check_keys(context, entry, "a material without backbone", {},
-                      {"reference_strain", "shear_strength", "ramberg_osgood_exponent", "modulus_reduction", "yield_surfaces",
-                       "ghe_c1_end", "ghe_c2_begin", "ghe_c2_end", "ghe_alpha", "ghe_beta"},
-                      "give the material a backbone, or remove it");
+    return check_keys(
+        context, entry, "a material without backbone", {},
+        with_ghe_keys({"reference_strain", "shear_strength", "ramberg_osgood_exponent", "modulus_reduction", "yield_surfaces"}),
+        "give the material a backbone, or remove it");
   if (soil.backbone != BackboneKind::general_hyperbolic)
     check_keys(context, entry, "another backbone than general_hyperbolic", {}, ghe_keys, "remove it");
   switch (soil.backbone) {
@@ -54,8 +61,7 @@ void check_backbone_keys(const CheckContext& context, const Entry& entry, const 
                  {"reference_strain", "ramberg_osgood_exponent", "shear_strength"}, {"modulus_reduction"});
       break;
     case BackboneKind::general_hyperbolic:
-      check_keys(context, entry, "a backbone of the general hyperbolic equation",
-                 {"shear_strength", "ghe_c1_end", "ghe_c2_begin", "ghe_c2_end", "ghe_alpha", "ghe_beta"},
+      check_keys(context, entry, "a backbone of the general hyperbolic equation", with_ghe_keys({"shear_strength"}),
                  {"reference_strain", "ramberg_osgood_exponent", "modulus_reduction"});
       check_hyperbola(context, entry, soil);
       break;

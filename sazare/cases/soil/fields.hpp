@@ -27,10 +27,9 @@ void visit_backbone(Visitor& visit, SoilBackbone& soil) {
     visit("ghe_c2_end", soil.hyperbola.second_end);
     visit("ghe_alpha", soil.hyperbola.first_change);
     visit("ghe_beta", soil.hyperbola.second_change);
-    visit("yield_surfaces", soil.yield_surfaces);
-    return;
+  } else {
+    visit("reference_strain", soil.reference_strain);
   }
-  visit("reference_strain", soil.reference_strain);
   if (soil.backbone == BackboneKind::ramberg_osgood) visit("ramberg_osgood_exponent", soil.ramberg_osgood_exponent);
   visit("yield_surfaces", soil.yield_surfaces);
 }

@@ -31,8 +31,7 @@ inline constexpr std::array soil_keys{
         .range = positive,
         .usual = usual::strength,
         .note = "with a backbone; required for ramberg_osgood and general_hyperbolic; default of hyperbolic: G0 "
-                "reference_strain, of a table: the stress of "
-                "its last row",
+                "reference_strain, of a table: the stress of its last row",
         .sentence = "Shear strength, at which the backbone ends."},
     Key{.name = "ramberg_osgood_exponent",
         .type = Type::number,

@@ -197,7 +197,7 @@ struct GeneralHyperbola {
     };
     return strain / (1 / between(1, first_end, first_change) + strain / between(second_begin, second_end, second_change));
   }
-  /// Where y reaches a value first; none where it does not below the largest strain of a curve.
+  /// Where y reaches a value first; the largest strain of a curve where it does not.
   Real strain_at(Real stress_sought) const {
     Real low = 0, high = last_curve_strain;
     for (const Real strain : spaced_strains(first_curve_strain, last_curve_strain, 400))
